@@ -1,0 +1,3 @@
+// The command-line program.
+// SPDX-License-Identifier: Apache-2.0
+int main() { return 0; }

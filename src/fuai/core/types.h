@@ -1,0 +1,23 @@
+// Fixed-size mathematics used everywhere.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+
+namespace fuai {
+
+using Vec2 = Eigen::Vector2d;
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+
+/// The yarn directions of a fabric. Bias is 45 degrees between warp and weft.
+enum class Direction { kWarp = 0, kWeft = 1, kBias = 2 };
+inline constexpr int kDirectionCount = 3;
+
+/// "warp", "weft", "bias".
+constexpr const char* to_string(Direction direction) {
+  constexpr const char* kNames[] = {"warp", "weft", "bias"};
+  return kNames[static_cast<int>(direction)];
+}
+
+}  // namespace fuai

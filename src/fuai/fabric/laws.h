@@ -1,0 +1,40 @@
+// The laws of one fabric: what its measurements say when the cloth is bent, sheared and pulled.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "fuai/fabric/fabric.h"
+#include "fuai/fabric/play_law.h"
+
+namespace fuai {
+
+/// How well a law repeats the curve it was made from, or where its numbers were taken from.
+struct LawReport {
+  std::string law;     ///< "bending.warp"
+  std::string origin;  ///< "measured loop", "scalars B and 2HB", "assumed"
+  double rms_residual_fraction =
+      0.0;  ///< rms distance of the branches from the law, in fractions of the peak
+  std::vector<std::string> assumptions;  ///< each a plain sentence
+};
+
+/// Everything a solver needs of a fabric; all SI.
+struct FabricLaws {
+  double areal_mass = 0.0;  ///< [kg/m2]
+  double thickness = 0.0;   ///< [m]
+  std::array<PlayLaw, kDirectionCount>
+      bending;                     ///< warp, weft, bias: moment per width [N] of curvature [1/m]
+  PlayLaw shear;                   ///< force per width [N/m] of shear angle [rad]
+  std::array<PlayLaw, 2> tensile;  ///< warp, weft: force per width [N/m] of strain [-]
+  std::vector<LawReport> reports;  ///< one a law, in the order above
+};
+
+/// Makes the laws of a fabric. What is missing is assumed by the rules of docs/theory/assumptions.md and
+/// reported.
+/// @throws Error (kBadInput) when a curve cannot be a fabric's (negative stiffness, crossed branches beyond
+/// noise) or there is no bending measurement at all. Thread class: set-up.
+FabricLaws make_fabric_laws(const Fabric& fabric);
+
+}  // namespace fuai
