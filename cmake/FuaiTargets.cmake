@@ -10,7 +10,7 @@ add_library(fuai_options INTERFACE)
 target_compile_features(fuai_options INTERFACE cxx_std_20)
 target_compile_options(fuai_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wold-style-cast -Wnon-virtual-dtor
-  -Woverloaded-virtual -Wcast-qual -Wformat=2 -Wnull-dereference -ffp-contract=off
+  -Woverloaded-virtual -Wcast-qual -Wformat=2 -ffp-contract=off
   $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-cond -Wlogical-op -Wno-restrict>  # -Wrestrict: false alarms of g++ 12 (bug 105651)
   $<$<BOOL:${FUAI_WERROR}>:-Werror>)
 if(FUAI_ASSERTIONS)

@@ -1,0 +1,26 @@
+// What is assumed where nothing was measured: every rule and its number, in one place.
+// SPDX-License-Identifier: Apache-2.0
+// Source: docs/theory/assumptions.md.
+#pragma once
+
+#include "fuai/units/constants.h"
+
+namespace fuai::assumed {
+
+/// Thickness = areal mass over this bulk density [kg/m3]; the two KES fabrics bundled with both numbers give
+/// 400 and 461.
+inline constexpr double kBulkDensity = 430.0;
+/// 2HB = this times B [1/m]: wool and filament, and cotton or unknown.
+inline constexpr double kHysteresisPerBending = 0.45 * unit::kPerCentimetre;
+inline constexpr double kHysteresisPerBendingCotton = 1.0 * unit::kPerCentimetre;
+/// Shear rigidity 0.8 gf/(cm deg) [N/(m rad)].
+inline constexpr double kShearG = 0.8 * unit::kGfPerCmDeg;
+/// 2HG = this many degrees times G [rad]; 2HG5 = 2HG.
+inline constexpr double kShearHysteresisAngle = 1.5 * unit::kDegree;
+/// Tension of a woven fabric without a measurement.
+inline constexpr double kLT = 0.7, kRT = 0.6, kEMT = 0.05;
+inline constexpr double kPeakLoad = 500.0 * unit::kGfPerCm;  ///< standard KES setting [N/m]
+/// Twist stiffness without a bias test: Bt = this times sqrt(B warp * B weft), B12 = 0.
+inline constexpr double kTwistShare = 0.25;
+
+}  // namespace fuai::assumed

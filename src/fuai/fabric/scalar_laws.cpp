@@ -1,0 +1,133 @@
+// Laws from KES scalars alone.
+// SPDX-License-Identifier: Apache-2.0
+#include "fuai/fabric/scalar_laws.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "fuai/core/error.h"
+#include "fuai/units/constants.h"
+
+namespace fuai {
+namespace {
+
+constexpr std::size_t kNodes = 201;
+
+Extrapolation constant_outside() {
+  Extrapolation rule;
+  rule.kind = Extrapolation::Kind::kConstant;
+  return rule;
+}
+
+[[noreturn]] void refuse(const std::string& what, const std::string& cure) {
+  throw Error(ErrorKind::kBadInput, what, {}, cure);
+}
+
+/// (e^{a z} - 1) / (e^a - 1), regular at a = 0.
+double exponential_shape(double a, double z) {
+  return std::abs(a) < 1e-9 ? z : std::expm1(a * z) / std::expm1(a);
+}
+
+/// LT of the exponential with rate a.
+double exponential_linearity(double a) {
+  if (std::abs(a) < 1e-4) return 1.0 - a / 6.0;  // series; the next term is a^3 / 360
+  return 2.0 * (1.0 / a - 1.0 / std::expm1(a));
+}
+
+}  // namespace
+
+double kes_shear_range() { return 8.0 * unit::kDegree; }
+
+Extrapolation bending_outside(double range, double jamming_curvature) {
+  Extrapolation rule;
+  rule.kind = Extrapolation::Kind::kJamming;
+  rule.limit = std::max(jamming_curvature, 1.25 * range);
+  return rule;
+}
+
+Extrapolation shear_outside() {
+  Extrapolation rule;
+  rule.kind = Extrapolation::Kind::kJamming;
+  rule.limit = 0.5 * std::numbers::pi;
+  return rule;
+}
+
+Extrapolation tensile_outside(double secant_stiffness, double end_slope) {
+  Extrapolation rule;
+  rule.kind = Extrapolation::Kind::kLinear;
+  rule.slope_low = 0.01 * secant_stiffness;
+  rule.slope_high = end_slope;
+  rule.slopes_given = true;
+  return rule;
+}
+
+PlayLaw make_bending_law(double B, double hysteresis_2HB, double jamming_curvature) {
+  if (!(B > 0.0) || !std::isfinite(B))
+    refuse("the bending rigidity B must be positive", "check B and its unit");
+  if (!(hysteresis_2HB >= 0.0))
+    refuse("the bending hysteresis 2HB must not be negative", "check 2HB and its unit");
+  const double range = kKesBendingRange;
+  const std::vector<double> elastic{-B * range, 0.0, B * range}, friction(3, 0.5 * hysteresis_2HB);
+  const double per_cm = unit::kPerCentimetre;
+  const PlayElement elements[] = {{0.05 * per_cm, 0.3}, {0.15 * per_cm, 0.4}, {0.4 * per_cm, 0.3}};
+  return make_play_law(make_curve_table(-range, range, elastic, bending_outside(range, jamming_curvature)),
+                       make_curve_table(-range, range, friction, constant_outside()), elements);
+}
+
+PlayLaw make_shear_law(double G, double hysteresis_2HG, double hysteresis_2HG5) {
+  if (!(G > 0.0)) refuse("the shear rigidity G must be positive", "check G and its unit");
+  if (!(hysteresis_2HG >= 0.0) || !(hysteresis_2HG5 >= 0.0))
+    refuse("shear hysteresis must not be negative", "check 2HG and 2HG5");
+  const double range = kes_shear_range(), near = 0.5 * unit::kDegree, far = 5.0 * unit::kDegree;
+  const double growth = 0.5 * (hysteresis_2HG5 - hysteresis_2HG) / (far - near);
+  const double slope = G - growth;
+  if (!(slope > 0.0)) {
+    refuse("2HG5 exceeds 2HG by more than the shear rigidity G can lift in 4.5 degrees",
+           "check G, 2HG and 2HG5: the recovery branch would fall while the angle grows");
+  }
+  // A node at every twentieth of a degree, so that 0.5 and 5 degrees are nodes.
+  const std::size_t count = 2 * 8 * 20 + 1;
+  std::vector<double> elastic(count), friction(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = range * (2.0 * static_cast<double>(i) / static_cast<double>(count - 1) - 1.0);
+    elastic[i] = slope * angle;
+    friction[i] = std::max(0.5 * hysteresis_2HG + growth * std::max(std::abs(angle) - near, 0.0), 0.0);
+  }
+  const double degree = unit::kDegree;
+  const PlayElement elements[] = {{0.1 * degree, 0.3}, {0.25 * degree, 0.4}, {0.5 * degree, 0.3}};
+  return make_play_law(make_curve_table(-range, range, elastic, shear_outside()),
+                       make_curve_table(-range, range, friction, constant_outside()), elements);
+}
+
+double exponential_rate(double LT) {
+  if (!(LT > 0.02 && LT < 1.98))
+    refuse("the tensile linearity LT must lie between 0.02 and 1.98", "LT is 0.4 to 1.2 for cloth");
+  double low = -100.0, high = 100.0;  // LT falls as the rate grows; |a| <= 100 covers the range above
+  for (int i = 0; i < 200; ++i) {
+    const double middle = 0.5 * (low + high);
+    (exponential_linearity(middle) > LT ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+PlayLaw make_tensile_law(double LT, double RT, double EMT, double peak_load) {
+  if (!(RT > 0.0 && RT <= 1.0)) refuse("the tensile resilience RT must lie between 0 and 100 %", "check RT");
+  if (!(EMT > 0.0) || !(peak_load > 0.0))
+    refuse("EMT and the peak load must be positive", "check EMT and its unit");
+  const double load_rate = exponential_rate(LT), back_rate = exponential_rate(RT * LT);
+  VirginNodes nodes{EMT, std::vector<double>(kNodes), std::vector<double>(kNodes)};
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    const double z = static_cast<double>(i) / static_cast<double>(kNodes - 1);
+    nodes.load[i] = peak_load * exponential_shape(load_rate, z);
+    nodes.recovery[i] = peak_load * exponential_shape(back_rate, z);
+  }
+  const double end_slope =
+      (nodes.load[kNodes - 1] - nodes.load[kNodes - 2]) * static_cast<double>(kNodes - 1) / EMT;
+  return identify_virgin(nodes, scaled_elements(0.4 * EMT), false,
+                         tensile_outside(peak_load / EMT, end_slope));
+}
+
+}  // namespace fuai
