@@ -10,9 +10,10 @@ namespace fuai::assumed {
 /// Thickness = areal mass over this bulk density [kg/m3]; the two KES fabrics bundled with both numbers give
 /// 400 and 461.
 inline constexpr double kBulkDensity = 430.0;
-/// 2HB = this times B [1/m]: wool and filament, and cotton or unknown.
-inline constexpr double kHysteresisPerBending = 0.45 * unit::kPerCentimetre;
+/// 2HB = this times B [1/m]: wool and filament yarns, cotton and linen, and fibres that are not stated.
+inline constexpr double kHysteresisPerBendingSmooth = 0.45 * unit::kPerCentimetre;
 inline constexpr double kHysteresisPerBendingCotton = 1.0 * unit::kPerCentimetre;
+inline constexpr double kHysteresisPerBendingUnknown = 0.7 * unit::kPerCentimetre;
 /// Shear rigidity 0.8 gf/(cm deg) [N/(m rad)].
 inline constexpr double kShearG = 0.8 * unit::kGfPerCmDeg;
 /// 2HG = this many degrees times G [rad]; 2HG5 = 2HG.

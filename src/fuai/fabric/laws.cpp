@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuai/fabric/laws.h"
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "fuai/core/error.h"
 #include "fuai/fabric/assumptions.h"
@@ -14,9 +16,28 @@ namespace {
 
 using Index = std::size_t;
 
-bool is_cotton(const Fabric& fabric) {
-  return fabric.composition.find("otton") != std::string::npos ||
-         fabric.composition.find("綿") != std::string::npos;
+/// The rule for a missing 2HB: factor on B [1/m] and the sentence that reports it.
+struct HysteresisRule {
+  double per_bending;
+  const char* sentence;
+};
+
+HysteresisRule hysteresis_rule(const Fabric& fabric) {
+  const auto made_of = [&](std::initializer_list<const char*> fibres) {
+    return std::ranges::any_of(
+        fibres, [&](const char* f) { return fabric.composition.find(f) != std::string::npos; });
+  };
+  if (made_of({"otton", "inen", "lax", "綿", "麻"})) {
+    return {assumed::kHysteresisPerBendingCotton,
+            "2HB was not measured: taken as 1.0 /cm times B (cotton, linen)"};
+  }
+  if (made_of(
+          {"ool", "ilk", "olyester", "olyamide", "ylon", "ayon", "iscose", "upro", "cetate", "毛", "絹"})) {
+    return {assumed::kHysteresisPerBendingSmooth,
+            "2HB was not measured: taken as 0.45 /cm times B (wool, filament)"};
+  }
+  return {assumed::kHysteresisPerBendingUnknown,
+          "2HB was not measured: taken as 0.7 /cm times B (fibre not stated)"};
 }
 
 /// Rigidity and hysteresis of one direction after the rules have filled the gaps.
@@ -34,11 +55,9 @@ BendingScalars bending_scalars(const Fabric& fabric, Direction direction, LawRep
   if (measured.hysteresis_2HB.has_value()) {
     scalars.hysteresis = measured.hysteresis_2HB.value;
   } else {
-    const bool cotton = is_cotton(fabric);
-    scalars.hysteresis =
-        scalars.B * (cotton ? assumed::kHysteresisPerBendingCotton : assumed::kHysteresisPerBending);
-    report.assumptions.push_back(std::string("2HB was not measured: taken as ") + (cotton ? "1.0" : "0.45") +
-                                 " /cm times B");
+    const HysteresisRule rule = hysteresis_rule(fabric);
+    scalars.hysteresis = scalars.B * rule.per_bending;
+    report.assumptions.emplace_back(rule.sentence);
   }
   return scalars;
 }
