@@ -1,0 +1,17 @@
+// Writes numbers with as few digits as bring them back exactly.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace fuai {
+
+/// The shortest decimal text whose number times `to_si` is exactly `si`; when there is none (the value was
+/// never read from a file), 17 digits, which bring it back within two units in the last place.
+/// @param si finite value [SI]. @param to_si SI value of one unit of the text. Thread class: any.
+std::string number_text(double si, double to_si = 1.0);
+
+/// A value for a message: at most 6 significant digits. Thread class: any.
+std::string brief_number(double value);
+
+}  // namespace fuai

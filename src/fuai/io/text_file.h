@@ -1,0 +1,36 @@
+// Reads whole text files as UTF-8 and writes files whole or not at all.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace fuai {
+
+/// Largest text file that is read [bytes]. A FAB physics file has 1 MB, a day of KES curves a few.
+inline constexpr std::uint64_t kLargestTextFile = 64ULL * 1024 * 1024;
+
+/// Reads a file byte by byte as it is. A file beyond the limit is refused by its size, without reading it.
+/// @param limit largest accepted size [bytes]
+/// @throws Error (kBadInput), each with its own sentence, when the file does not exist, is a directory, is
+/// not a regular file, cannot be opened or read, is empty, or is larger than the limit. Thread class: set-up.
+std::string read_bytes(const std::string& path, std::uint64_t limit = kLargestTextFile);
+
+/// Turns the bytes of a text file into UTF-8 without byte order mark and with "\n" line ends. Valid UTF-8 is
+/// kept; anything else is taken for CP932 (the Japanese encoding of Windows).
+/// @param name file name for messages
+/// @throws Error (kBadInput) when there is no text, a NUL byte (binary file, UTF-16), or neither encoding
+/// fits. Thread class: set-up.
+std::string decode_text(std::string_view bytes, const std::string& name);
+
+/// read_bytes() and decode_text(). Thread class: set-up.
+std::string read_text_file(const std::string& path, std::uint64_t limit = kLargestTextFile);
+
+/// Writes a file whole or not at all: a temporary file in the same folder, fsync, rename. An existing file
+/// keeps its permissions, and stays as it was when anything fails.
+/// @throws Error (kBadInput) when the folder does not exist or cannot be written, when the path is a
+/// directory or a device, or the disk is full. Thread class: set-up.
+void write_atomically(const std::string& path, std::string_view bytes);
+
+}  // namespace fuai
