@@ -89,6 +89,16 @@ LatticeModel make_lattice_model(const LatticeSpec& spec) {
   return model;
 }
 
+int lattice_nodes_on_side(double length, double spacing, const char* key) {
+  const double cells = length / spacing;
+  if (!(spacing > 0.0) || !(cells > 0.0 && cells < kMostNodesASide) ||
+      std::abs(cells - std::round(cells)) > 1e-6) {
+    throw Error(ErrorKind::kUsage, "a side must be a positive whole multiple of the spacing", {"", 0, 0, key},
+                "give a length that the spacing divides");
+  }
+  return static_cast<int>(std::lround(cells)) + 1;
+}
+
 LatticeState make_lattice_state(const LatticeModel& model) {
   return {model.rest_positions, std::vector<PlayState>(model.triples.size())};
 }

@@ -71,6 +71,12 @@ struct LatticeState {
 /// positive, the mass is negative or not finite, or a fixed node does not exist. Thread class: set-up.
 LatticeModel make_lattice_model(const LatticeSpec& spec);
 
+/// Nodes on a side of a given length, both ends counted.
+/// @param key name of the side in the error
+/// @throws Error (kUsage) unless the length is a positive whole multiple of the spacing, to 1e-6 of a cell
+/// (lengths are typed in decimal). Thread class: set-up.
+int lattice_nodes_on_side(double length, double spacing, const char* key);
+
 /// Flat, unstressed, virgin cloth. Thread class: set-up.
 LatticeState make_lattice_state(const LatticeModel& model);
 

@@ -141,6 +141,29 @@ RelaxationResult SolverRelaxation::run(LatticeState& state, const RelaxationStop
   return result;
 }
 
+TripleReading SolverRelaxation::read_triple(const LatticeState& state, std::size_t triple) const noexcept {
+  FUAI_ASSERT(model_ != nullptr && triple < model_->triples.size());
+  const LatticeTriple& nodes = model_->triples[triple];
+  const PlayLaw& law = laws_->bending[static_cast<std::size_t>(nodes.direction)];
+  const auto at = [&](int node) -> const Vec3& { return state.positions[static_cast<std::size_t>(node)]; };
+  const TripleCurvature c =
+      evaluate_curvature(at(nodes.end_low), at(nodes.middle), at(nodes.end_high), model_->spacing,
+                         lattice_normal(*model_, state.positions, nodes.middle), CurvatureForm::kC1);
+  const double K = c.curvature;
+  TripleReading reading{K, 0.0, 0.0, 0.0, c.gradient_p, c.gradient_r};
+  if (options_.mode == PaperMode::kCorrected) {
+    reading.moment = reading.conjugate_moment = law.evaluate(K, state.memory[triple]).stress;
+    reading.energy = law.free_energy(K, state.memory[triple]);
+  } else {
+    const CurveValue t = ascending_branch(K, law.elastic().evaluate(K), law.friction().evaluate(K));
+    const BendValue value = bend_as_printed(K, t);
+    reading.moment = t.value;
+    reading.conjugate_moment = value.moment;
+    reading.energy = value.energy;
+  }
+  return reading;
+}
+
 RelaxationResult SolverRelaxation::measure(const LatticeState& state) const noexcept {
   FUAI_ASSERT(model_ != nullptr);
   const bool weigh = area_weights_ == AreaWeights::kEverything;
@@ -152,26 +175,15 @@ RelaxationResult SolverRelaxation::measure(const LatticeState& state) const noex
     result.max_stretch =
         std::max(result.max_stretch, (at(edge.first) - at(edge.second)).norm() / edge.rest_length - 1.0);
   }
-  const bool printed = options_.mode == PaperMode::kAsPrinted;
-  const double l0 = model_->spacing;
+  const double area = model_->spacing * model_->spacing;
   for (std::size_t t = 0; t < model_->triples.size(); ++t) {
-    const LatticeTriple& triple = model_->triples[t];
-    const PlayLaw& law = laws_->bending[static_cast<std::size_t>(triple.direction)];
-    const double K = evaluate_curvature(at(triple.end_low), at(triple.middle), at(triple.end_high), l0,
-                                        lattice_normal(*model_, state.positions, triple.middle),
-                                        printed ? CurvatureForm::kPrinted : CurvatureForm::kC1)
-                         .curvature;
-    const double density =
-        printed
-            ? bend_as_printed(K, ascending_branch(K, law.elastic().evaluate(K), law.friction().evaluate(K)))
-                  .energy
-            : law.free_energy(K, state.memory[t]);
-    result.bending_energy += l0 * l0 * (weigh ? triple.tributary_factor : 1.0) * density;
+    const double factor = weigh ? model_->triples[t].tributary_factor : 1.0;
+    result.bending_energy += area * factor * read_triple(state, t).energy;
   }
   StateHash hash;
   for (std::size_t n = 0; n < state.positions.size(); ++n) {
     const double factor = area_weights_ == AreaWeights::kNone ? 1.0 : model_->tributary_factors[n];
-    result.weight_energy -= model_->areal_mass * l0 * l0 * factor *
+    result.weight_energy -= model_->areal_mass * area * factor *
                             options_.gravity.dot(state.positions[n] - model_->rest_positions[n]);
     hash.add(state.positions[n].data(), sizeof(double) * 3);
   }

@@ -13,8 +13,8 @@
 //   gradient         of a particle's own triples: ends     full: the middle particle gets the reaction
 //   law              ascending branch only, M(0) = +HB     elastic curve and friction with memory (PlayLaw)
 //   bending energy   |t K / 2|                             incremental potential W_n(K)
-//   sharp folds      Eq. (2) as printed                    the C1 form
-//   area weights     none                                  1, 1/2, 1/4 of l0^2
+//   sharp folds      C1 form of Eq. (2) in both: the printed branch tears the sheet to infinity at its first
+//   fold area weights     none                                  1, 1/2, 1/4 of l0^2
 //
 //   The memory is committed at every step: the descent path is taken as the path of the cloth. The law is
 //   rate-independent, so only the path counts; each step lowers free energy + weight by at least the
@@ -90,10 +90,21 @@ struct RelaxationResult {
   std::uint64_t position_hash = 0;
 };
 
+/// A triple at some state.
+struct TripleReading {
+  double curvature = 0.0;  ///< signed [1/m]
+  double moment = 0.0;     ///< t per width [N]: the law's with memory, or as printed the ascending branch
+  double conjugate_moment = 0.0;   ///< d energy / d curvature per width [N]: differs from t only as printed
+  double energy = 0.0;             ///< per area [J/m2]: free energy, or |t K / 2| as printed
+  Vec3 gradient_p = Vec3::Zero();  ///< d curvature / d end_low [1/m2]
+  Vec3 gradient_r = Vec3::Zero();  ///< d curvature / d end_high [1/m2]
+};
+
 /// Eq. (6). Build, prepare() once, then step() or run().
 class SolverRelaxation {
  public:
-  /// Sets up for one model. Of the laws it reads bending[warp], bending[weft].
+  /// Sets up for one model. Of the laws it reads bending[warp], bending[weft]. Model and laws are not copied:
+  /// they must outlive the solver.
   /// @throws Error (kUsage) when an option is out of range, or given steps are not below the stability bound
   /// and allow_unstable is off. Thread class: set-up.
   void prepare(const LatticeModel& model, const FabricLaws& laws, const RelaxationOptions& options = {});
@@ -117,7 +128,11 @@ class SolverRelaxation {
   /// k = 2 gamma1 / gamma2 [N/m].
   double spring_stiffness() const noexcept { return 2.0 * steps_.gamma1 / steps_.gamma2; }
   const RelaxationOptions& options() const noexcept { return options_; }
+  const LatticeModel& model() const noexcept { return *model_; }  ///< prepare() first
+  const FabricLaws& laws() const noexcept { return *laws_; }      ///< prepare() first
   AreaWeights area_weights() const noexcept { return area_weights_; }
+  /// One triple of a state, by its index in the model. Thread class: real-time.
+  TripleReading read_triple(const LatticeState& state, std::size_t triple) const noexcept;
   /// Energies and stretch of a state. Thread class: real-time.
   RelaxationResult measure(const LatticeState& state) const noexcept;
 

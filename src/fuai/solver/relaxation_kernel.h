@@ -68,7 +68,7 @@ class RelaxationKernel {
     Vec3 weight = Vec3::Zero();          ///< weight of a whole node [N]
     bool weigh_nodes = true;             ///< tributary factors on the weight
     bool weigh_stencils = true;          ///< tributary factors on springs and triples
-    bool as_printed = false;             ///< ends only, |t K / 2|, printed form of Eq. (2)
+    bool as_printed = false;             ///< ends only, |t K / 2|
     std::array<const PlayLaw*, 2> laws;  ///< warp, weft
   };
 
