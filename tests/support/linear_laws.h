@@ -1,0 +1,39 @@
+// Fabric laws from the two numbers B and HB, for tests: a straight elastic line and constant friction.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "fuai/fabric/laws.h"
+#include "fuai/units/constants.h"
+
+namespace fuai_test {
+
+/// M = B K with friction HB over play radii of 0.05, 0.15 and 0.4 per cm. B [gf cm2/cm], HB [gf cm/cm].
+inline fuai::PlayLaw linear_bending_law(double B_gf_cm2_per_cm, double HB_gf_cm_per_cm) {
+  using namespace fuai;
+  const double reach = 2.5 * unit::kPerCentimetre, peak = B_gf_cm2_per_cm * unit::kGfCm2PerCm * reach;
+  const double HB = HB_gf_cm_per_cm * unit::kGfCmPerCm;
+  Extrapolation constant;
+  constant.kind = Extrapolation::Kind::kConstant;
+  const PlayElement elements[] = {{0.05 * unit::kPerCentimetre, 1.0 / 3.0},
+                                  {0.15 * unit::kPerCentimetre, 1.0 / 3.0},
+                                  {0.40 * unit::kPerCentimetre, 1.0 / 3.0}};
+  return make_play_law(make_curve_table(-reach, reach, std::vector<double>{-peak, 0.0, peak}),
+                       make_curve_table(-reach, reach, std::vector<double>{HB, HB, HB}, constant), elements);
+}
+
+/// The same law in warp and weft. mass [g/m2].
+inline fuai::FabricLaws linear_laws(double B_gf_cm2_per_cm, double HB_gf_cm_per_cm, double mass_g_per_m2) {
+  fuai::FabricLaws laws;
+  laws.areal_mass = mass_g_per_m2 * fuai::unit::kGPerM2;
+  for (auto& law : laws.bending) law = linear_bending_law(B_gf_cm2_per_cm, HB_gf_cm_per_cm);
+  return laws;
+}
+
+/// The four stand-ins for the paper's fabrics 1, 3, 6 and 10.
+inline constexpr double kFourB[] = {0.02, 0.06, 0.12, 0.20};   ///< [gf cm2/cm]
+inline constexpr double kFourHB[] = {0.01, 0.02, 0.04, 0.07};  ///< [gf cm/cm]
+inline constexpr double kFourMass_g_per_m2 = 200.0;
+
+}  // namespace fuai_test
