@@ -3,6 +3,7 @@ include(CMakePackageConfigHelpers)
 
 get_property(fuai_layers GLOBAL PROPERTY FUAI_LAYER_TARGETS)
 get_property(fuai_headers GLOBAL PROPERTY FUAI_HEADERS)
+get_property(FUAI_INSTALL_PICTURES GLOBAL PROPERTY FUAI_HAS_PICTURES)
 
 install(TARGETS ${fuai_layers} EXPORT fuaiTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS fuai_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

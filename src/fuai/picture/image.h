@@ -1,0 +1,34 @@
+// A raster image in memory and its PNG encoding.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace fuai {
+
+/// Eight bits a channel, red green blue alpha, sRGB, straight (not premultiplied) alpha, rows from the top.
+struct Image {
+  int width = 0;                     ///< [pixel]
+  int height = 0;                    ///< [pixel]
+  std::vector<std::uint8_t> pixels;  ///< (height * width * 4)
+
+  /// The four bytes of the pixel in column x of row y.
+  const std::uint8_t* at(int x, int y) const { return pixels.data() + offset(x, y); }
+  std::uint8_t* at(int x, int y) { return pixels.data() + offset(x, y); }
+
+ private:
+  std::size_t offset(int x, int y) const {
+    return 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+  }
+};
+
+/// Throws Error kUsage unless both sides are between 16 and 16384 pixels. Thread class: any.
+void check_image_size(int width, int height);
+
+/// The bytes of a PNG file. Throws Error kNoDevice when built without pictures. Thread class: set-up.
+std::string encode_png(const Image& image);
+
+}  // namespace fuai
