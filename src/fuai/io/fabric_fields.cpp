@@ -92,6 +92,14 @@ Known standard_peak_load() {
       {ProvenanceKind::kAssumed, "standard setting of KES-FB1, 500 gf/cm; the file states no peak load", ""}};
 }
 
+void assume_peak_loads(Fabric& fabric) {
+  for (TensileMeasurement& tensile : fabric.tensile) {
+    const bool measured = tensile.LT.has_value() || tensile.WT.has_value() || tensile.RT.has_value() ||
+                          tensile.EMT.has_value() || tensile.curve.has_value();
+    if (measured && !tensile.peak_load.has_value()) tensile.peak_load = standard_peak_load();
+  }
+}
+
 std::vector<FabricField> fabric_fields(Fabric& fabric) {
   std::vector<FabricField> fields;
   const auto add = [&](const std::string& direction, Kes id, Known& value) {

@@ -65,4 +65,7 @@ void check_consistency(Fabric& fabric, const std::string& name);
 /// Peak load of the standard KES-FB1 setting, 500 gf/cm, in SI, marked as assumed.
 Known standard_peak_load();
 
+/// Gives every tensile test that states no peak load the standard one. Thread class: set-up.
+void assume_peak_loads(Fabric& fabric);
+
 }  // namespace fuai

@@ -74,7 +74,7 @@ class FabricReader {
                   "write [weight] W_mg_per_cm2 = ...; 10 g/m² are 1 mg/cm²");
     }
     finish_provenance();
-    finish_peak_loads();
+    assume_peak_loads(fabric_);
     check_consistency(fabric_, name_);
     return std::move(fabric_);
   }
@@ -287,15 +287,6 @@ class FabricReader {
     for (const auto& [path, entry] : provenance_) {
       if (!entry.used)
         fabric_.warnings.push_back(to_string(entry.where) + "the file holds nothing that this describes");
-    }
-  }
-
-  /// A tensile test without its peak load was made with the standard one.
-  void finish_peak_loads() {
-    for (TensileMeasurement& tensile : fabric_.tensile) {
-      const bool measured = tensile.LT.has_value() || tensile.WT.has_value() || tensile.RT.has_value() ||
-                            tensile.EMT.has_value() || tensile.curve.has_value();
-      if (measured && !tensile.peak_load.has_value()) tensile.peak_load = standard_peak_load();
     }
   }
 
