@@ -197,6 +197,8 @@ TEST_SUITE("unit") {
     CHECK(contains(message_with("= 0.067", "= nan"),
                    ":9:19: bending.warp.B_gf_cm2_per_cm: the value is not finite"));
     CHECK(contains(message_with("= 0.067", "= inf"), "not finite"));
+    CHECK(contains(message_with("= 0.067", "= 4.9e-324"), "not a number that can be measured"));
+    CHECK(contains(message_with("= 0.067", "= 1e308"), "not a number that can be measured"));
     CHECK(contains(message_with("EMT_percent = 5.2", "EMT_percent = 0"),
                    "tensile.warp.EMT_percent: the value is zero"));
     CHECK(contains(message_with("EMT_percent = 5.2", "EMT_percent = -2"), "negative"));
@@ -242,6 +244,21 @@ TEST_SUITE("unit") {
         contains(error_of([] { parse("x = " + std::string(5000, '[')); }).what(), "this is no fabric file"));
     CHECK(contains(error_of([] { parse("format = \"fuai-fabric/1\"\nname = \"x\"\nnam"); }).what(),
                    "wool.fabric.toml:3"));
+  }
+
+  TEST_CASE("letters beyond ASCII belong into strings and comments") {
+    const auto named = [](const std::string& value) { return with("\"Wool tropical\"", value); };
+    const auto message = [&](const std::string& value) {
+      return std::string(error_of([&] { parse(named(value)); }).what());
+    };
+    CHECK(contains(message_with("T_mm", "厚さ"),
+                   "wool.fabric.toml:7:1: the character '厚' stands outside of quotes"));
+    CHECK(contains(message("\"\"\"a\\\n é\"\"\""), ":3:2: the character 'é' follows a continued line"));
+    CHECK(contains(message("\"\"\"a\\é\"\"\""), ":2:13: the character 'é' follows a backslash"));
+    CHECK(contains(message("a\"é\""), ":2:10: the character 'é' stands inside a word"));
+    CHECK(parse(named("\"\"\"\"é\" \\\" \\\n x'\"\"\"  # é")).name == "\"é\" \" x'");
+    CHECK(parse(named("'é\\'")).name == "é\\");
+    CHECK(parse(named("'''é\n'\\'''")).name == "é\n'\\");
   }
 
   TEST_CASE("curve files are read from beside the fabric file, and only from there") {

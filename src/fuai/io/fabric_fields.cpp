@@ -167,9 +167,14 @@ void check_field(const FabricField& field, double number, const Where& where,
   };
   const std::string unit = field.unit == "-" ? "" : " " + field.unit;
   const std::string shown = brief_number(number) + unit;
-  // What SI makes of it must be finite as well.
-  if (!std::isfinite(number) || !std::isfinite(number * field.to_si))
+  if (!std::isfinite(number))
     fail("the value is not finite", "write a finite number, or leave the key out when it was not measured");
+  // Numbers that overflow or vanish on the way to SI and back are no measurements.
+  constexpr double kSmallest = 1e-300, kLargest = 1e300;
+  for (const double value : {std::abs(number), std::abs(number * field.to_si)}) {
+    if (number != 0.0 && (value < kSmallest || value > kLargest))
+      fail(shown + " is not a number that can be measured", "check the exponent");
+  }
   if (number < 0.0) fail(shown + " is negative", "this quantity cannot be negative: check the sign");
   if (number == 0.0 && field.range == FieldRange::kPositive)
     fail("the value is zero", "write the measured number, or leave the key out when it was not measured");

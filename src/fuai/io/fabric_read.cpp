@@ -18,24 +18,15 @@
 #include "fuai/io/nearest_name.h"
 #include "fuai/io/number_text.h"
 #include "fuai/io/text_file.h"
+#include "fuai/io/toml_guard.h"
 
 namespace fuai {
 namespace {
 
 constexpr std::string_view kFormat = "fuai-fabric/1";
 
-/// Most dots and brackets in a file: they bound the depth of nested tables, and with it the stack that the
-/// TOML reader needs. A complete fabric file has about 150.
-constexpr std::ptrdiff_t kMostNesting = 3000;
-
 toml::table parse_toml(std::string_view text, const std::string& name) {
-  const auto nesting =
-      std::count_if(text.begin(), text.end(), [](char c) { return c == '.' || c == '[' || c == '{'; });
-  if (nesting > kMostNesting) {
-    throw Error(ErrorKind::kBadInput,
-                "there are more than " + std::to_string(kMostNesting) + " dots and brackets",
-                Where{name, 0, 0, {}}, "this is no fabric file; put curves into CSV files of their own");
-  }
+  check_toml_text(text, name);
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& e) {
