@@ -68,7 +68,9 @@ double total_potential(const SolverRelaxation& solver, const LatticeState& state
   for (std::size_t t = 0; t < model.triples.size(); ++t) {
     const PlayLaw& law = solver.laws().bending[static_cast<std::size_t>(model.triples[t].direction)];
     const double area = kH * kH * (weigh ? model.triples[t].tributary_factor : 1.0);
-    energy += area * law.incremental_potential(solver.read_triple(state, t).curvature, state.memory[t]);
+    const TripleReading reading = solver.read_triple(state, t);
+    energy +=
+        area * (law.incremental_potential(reading.curvature, state.memory[t]) + reading.in_plane_energy);
   }
   return energy;
 }

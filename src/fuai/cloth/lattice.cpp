@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuai/cloth/lattice.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -103,7 +102,8 @@ LatticeState make_lattice_state(const LatticeModel& model) {
   return {model.rest_positions, std::vector<PlayState>(model.triples.size())};
 }
 
-Vec3 lattice_normal(const LatticeModel& model, std::span<const Vec3> positions, int node) noexcept {
+LatticeTangents lattice_tangents(const LatticeModel& model, std::span<const Vec3> positions,
+                                 int node) noexcept {
   const int column = node % model.columns, row = node / model.columns;
   const Vec3& here = positions[static_cast<std::size_t>(node)];
   // Sum of the unit vectors along one thread, both pointing the way of growing index.
@@ -113,7 +113,7 @@ Vec3 lattice_normal(const LatticeModel& model, std::span<const Vec3> positions, 
     if (index + 1 < count) sum += (positions[static_cast<std::size_t>(node + stride)] - here).normalized();
     return sum;
   };
-  return tangent(column, model.columns, 1).cross(tangent(row, model.rows, model.columns));
+  return {tangent(column, model.columns, 1), tangent(row, model.rows, model.columns)};
 }
 
 }  // namespace fuai

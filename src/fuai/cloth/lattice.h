@@ -80,9 +80,15 @@ int lattice_nodes_on_side(double length, double spacing, const char* key);
 /// Flat, unstressed, virgin cloth. Thread class: set-up.
 LatticeState make_lattice_state(const LatticeModel& model);
 
-/// Oriented normal of the sheet at a node, not normalised: (sum of the unit vectors of its weft edges) x (sum
-/// of those of its warp edges). It looks to the face; zero where the cloth is folded flat. [-]
+/// Sums of the unit vectors of the weft edges and of the warp edges at a node, toward growing index [-].
+/// Their cross product weft x warp is the normal of the sheet and looks to the face; it vanishes where the
+/// cloth is folded flat.
+struct LatticeTangents {
+  Vec3 weft = Vec3::Zero(), warp = Vec3::Zero();
+};
+
 /// Thread class: real-time.
-Vec3 lattice_normal(const LatticeModel& model, std::span<const Vec3> positions, int node) noexcept;
+LatticeTangents lattice_tangents(const LatticeModel& model, std::span<const Vec3> positions,
+                                 int node) noexcept;
 
 }  // namespace fuai

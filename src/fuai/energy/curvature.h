@@ -49,6 +49,10 @@ inline constexpr double kSmallestAngle = 1e-3;
 /// |a + b| below this counts as flat: there the sheet's normal gives the direction of the gradient.
 inline constexpr double kFlatSum = 1e-12;
 
+/// |weft x warp tangent| below this counts as parallel: no normal, no friction, no face (tangents have length
+/// 2).
+inline constexpr double kParallelTangents = 1e-6;
+
 /// Signed curvature and its gradients; the gradient at M is -(gradient_p + gradient_r).
 struct TripleCurvature {
   double curvature = 0.0;          ///< [1/m], positive when the centre of curvature lies on the normal's side
@@ -63,5 +67,45 @@ struct TripleCurvature {
 /// @source Wada et al., Eq. (2)
 TripleCurvature evaluate_curvature(const Vec3& p, const Vec3& m, const Vec3& r, double rest_leg,
                                    const Vec3& normal, CurvatureForm form) noexcept;
+
+/// Curvature as a vector, seen from the sheet. With memory a moment need not vanish where |a + b| does, and
+/// sign |a + b| has a crease there; the component along the normal has none.
+///   k = K e / |e|, e = a + b    normal curvature kappa = k . n, n = N / |N|, N = weft x warp tangent
+struct NormalCurvature {
+  Vec3 vector = Vec3::Zero();    ///< k [1/m]
+  Vec3 normal = Vec3::Zero();    ///< n; zero where the tangents are parallel
+  double curvature = 0.0;        ///< kappa [1/m]
+  double in_plane_square = 0.0;  ///< |k|^2 - kappa^2 [1/m2]: the thread bends within the sheet
+};
+
+/// The three nodes of a triple and the frame of the sheet at the middle one.
+struct CurvatureStencil {
+  Vec3 p, m, r;                     ///< positions [m]
+  Vec3 weft_tangent, warp_tangent;  ///< sums of the unit vectors of the edges at M, toward growing index [-]
+  double rest_leg = 1.0;            ///< l [m]
+};
+
+/// Thread class: real-time.
+NormalCurvature evaluate_normal_curvature(const CurvatureStencil& stencil) noexcept;
+
+/// Gradient of E(kappa, k) = W(kappa) + B/2 (|k|^2 - kappa^2), for W' = moment.
+struct NormalCurvatureGradient {
+  Vec3 p = Vec3::Zero(), r = Vec3::Zero();  ///< dE/dP and dE/dR through k; at M: the opposite of their sum
+  Vec3 weft_tangent = Vec3::Zero(), warp_tangent = Vec3::Zero();  ///< dE/d tangents, through n
+};
+
+/// V = dE/dk = B k + c n with c = moment - B kappa; dE/de = f V / l + f' (e.V) e / (|e| l) with k = f e / l;
+/// dE/dN = c (k - kappa n) / |N|. With W = B kappa^2 / 2 this is the gradient of B K^2 / 2.
+/// @param moment W' [N] @param in_plane_stiffness B [N m]. Thread class: real-time.
+NormalCurvatureGradient evaluate_normal_gradient(const CurvatureStencil& stencil, double moment,
+                                                 double in_plane_stiffness) noexcept;
+
+/// f = K l / |e| of the C1 form and its derivative by |e|: 1 and 0 on the circle.
+struct FoldFactor {
+  double value = 1.0, slope = 0.0;
+};
+
+/// @param sum |a + b| in [0, 2]. Thread class: real-time.
+FoldFactor evaluate_fold_factor(double sum) noexcept;
 
 }  // namespace fuai

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -52,13 +53,38 @@ class InlineCurve {
   std::vector<Cell> cells_{};
 };
 
+/// True when a curve is one straight line through zero, outside its nodes as well.
+inline bool is_line(const CurveTable& table) noexcept {
+  if (table.node_count() < 2) return true;
+  const Extrapolation& outside = table.extrapolation();
+  if (outside.kind != Extrapolation::Kind::kLinear) return false;
+  const double slope = table.evaluate(0.0).slope;
+  const auto differs = [&](double a, double b) {
+    return std::abs(a - b) > 1e-12 * std::abs(slope);
+  };  // rounding
+  bool line = !differs(outside.slope_low, slope) && !differs(outside.slope_high, slope);
+  for (std::size_t i = 0; i < table.node_count(); ++i) {
+    const double x = table.node_position(i);
+    line = line && !differs(table.nodes()[i] / table.high(), slope * x / table.high());
+  }
+  return line;
+}
+
+/// What resists the bending of a thread within the sheet [N m]: the elastic slope at zero curvature, no
+/// friction.
+inline double in_plane_stiffness(const PlayLaw& law) noexcept {
+  return std::max(law.elastic().evaluate(0.0).slope, 0.0);
+}
+
 /// The moment of one thread direction; agrees with PlayLaw to rounding.
 class BendTable {
  public:
   BendTable() = default;
   /// Thread class: set-up.
   explicit BendTable(const PlayLaw& law) : elastic_(law.elastic()), friction_(law.friction()) {
+    in_plane_stiffness_ = fuai::in_plane_stiffness(law);
     for (double y : law.friction().nodes()) frictional_ = frictional_ || y > 0.0;
+    linear_ = !frictional_ && is_line(law.elastic());
     if (!frictional_) return;
     for (const PlayElement& e : law.elements()) {
       radius_[count_] = e.radius;
@@ -87,9 +113,14 @@ class BendTable {
     return bend_as_printed(curvature, t).moment;
   }
 
+  /// True for M = B K without friction: then the normal does not matter.
+  bool linear() const noexcept { return linear_; }
+  double in_plane_stiffness() const noexcept { return in_plane_stiffness_; }
+
  private:
   InlineCurve elastic_, friction_;
-  bool frictional_ = false;
+  double in_plane_stiffness_ = 0.0;
+  bool frictional_ = false, linear_ = false;
   std::size_t count_ = 0;
   std::array<double, kMaxPlays> radius_{}, slope_{};
 };

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuai/solver/grasp_force.h"
 
+#include <Eigen/Geometry>
+
+#include "fuai/energy/curvature.h"
 #include "fuai/energy/stretch.h"
 
 namespace fuai {
@@ -19,18 +22,19 @@ GraspForce evaluate_grasp(const SolverRelaxation& solver, const LatticeState& st
     force.reaction -=
         evaluate_stretch(at(node), at(node) + to_other, edge.rest_length, factor * k).gradient_first;
   }
-  for (std::size_t i = 0; i < model.triples.size(); ++i) {
-    const LatticeTriple& triple = model.triples[i];
-    if (triple.end_low != node && triple.middle != node && triple.end_high != node) continue;
-    const TripleReading reading = solver.read_triple(state, i);
-    const double area = l0 * l0 * (weigh ? triple.tributary_factor : 1.0);
-    if (triple.middle == node) {
-      force.reaction += area * reading.conjugate_moment * (reading.gradient_p + reading.gradient_r);
-      continue;
+  for (std::size_t t = 0; t < model.triples.size(); ++t) {
+    const TripleGradient gradient = solver.triple_gradient(state, t);
+    for (std::size_t i = 0; i < gradient.count; ++i) {
+      if (gradient.nodes[i] == node) force.reaction -= gradient.values[i];
     }
-    const Vec3& gradient = triple.end_low == node ? reading.gradient_p : reading.gradient_r;
-    force.reaction -= area * reading.conjugate_moment * gradient;
-    force.printed_bending -= reading.moment * l0 / kPaperLength * gradient.normalized();
+    const LatticeTriple& triple = model.triples[t];
+    if (triple.end_low != node && triple.end_high != node) continue;
+    // N: across the leg at this end, toward the flat sheet.
+    const LatticeTangents tangents = lattice_tangents(model, state.positions, triple.middle);
+    const TripleCurvature K = evaluate_curvature(at(triple.end_low), at(triple.middle), at(triple.end_high),
+                                                 l0, tangents.weft.cross(tangents.warp), CurvatureForm::kC1);
+    const Vec3 N = -(triple.end_low == node ? K.gradient_p : K.gradient_r).normalized();
+    force.printed_bending += solver.read_triple(state, t).moment * l0 / kPaperLength * N;
   }
   const double share = solver.area_weights() == AreaWeights::kNone
                            ? 1.0

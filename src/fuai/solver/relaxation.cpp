@@ -3,6 +3,7 @@
 // Source: Wada, Kameda, Kakusho, Minoh, "Visual and haptic feedback for virtual cloth", Eq. (6).
 #include "fuai/solver/relaxation.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -141,27 +142,71 @@ RelaxationResult SolverRelaxation::run(LatticeState& state, const RelaxationStop
   return result;
 }
 
+CurvatureStencil SolverRelaxation::stencil(const LatticeState& state,
+                                           const LatticeTriple& triple) const noexcept {
+  const auto at = [&](int node) -> const Vec3& { return state.positions[static_cast<std::size_t>(node)]; };
+  const LatticeTangents t = lattice_tangents(*model_, state.positions, triple.middle);
+  return {at(triple.end_low), at(triple.middle), at(triple.end_high), t.weft, t.warp, model_->spacing};
+}
+
 TripleReading SolverRelaxation::read_triple(const LatticeState& state, std::size_t triple) const noexcept {
   FUAI_ASSERT(model_ != nullptr && triple < model_->triples.size());
   const LatticeTriple& nodes = model_->triples[triple];
   const PlayLaw& law = laws_->bending[static_cast<std::size_t>(nodes.direction)];
-  const auto at = [&](int node) -> const Vec3& { return state.positions[static_cast<std::size_t>(node)]; };
-  const TripleCurvature c =
-      evaluate_curvature(at(nodes.end_low), at(nodes.middle), at(nodes.end_high), model_->spacing,
-                         lattice_normal(*model_, state.positions, nodes.middle), CurvatureForm::kC1);
-  const double K = c.curvature;
-  TripleReading reading{K, 0.0, 0.0, 0.0, c.gradient_p, c.gradient_r};
+  const CurvatureStencil s = stencil(state, nodes);
   if (options_.mode == PaperMode::kCorrected) {
-    reading.moment = reading.conjugate_moment = law.evaluate(K, state.memory[triple]).stress;
-    reading.energy = law.free_energy(K, state.memory[triple]);
-  } else {
-    const CurveValue t = ascending_branch(K, law.elastic().evaluate(K), law.friction().evaluate(K));
-    const BendValue value = bend_as_printed(K, t);
-    reading.moment = t.value;
-    reading.conjugate_moment = value.moment;
-    reading.energy = value.energy;
+    const NormalCurvature k = evaluate_normal_curvature(s);
+    const double in_plane = 0.5 * in_plane_stiffness(law) * k.in_plane_square;
+    return {k.curvature, law.evaluate(k.curvature, state.memory[triple]).stress,
+            law.free_energy(k.curvature, state.memory[triple]) + in_plane, in_plane};
   }
-  return reading;
+  const double K =
+      evaluate_curvature(s.p, s.m, s.r, s.rest_leg, s.weft_tangent.cross(s.warp_tangent), CurvatureForm::kC1)
+          .curvature;
+  const CurveValue t = ascending_branch(K, law.elastic().evaluate(K), law.friction().evaluate(K));
+  return {K, t.value, bend_as_printed(K, t).energy, 0.0};
+}
+
+TripleGradient SolverRelaxation::triple_gradient(const LatticeState& state,
+                                                 std::size_t triple) const noexcept {
+  FUAI_ASSERT(model_ != nullptr && triple < model_->triples.size());
+  const LatticeTriple& nodes = model_->triples[triple];
+  const PlayLaw& law = laws_->bending[static_cast<std::size_t>(nodes.direction)];
+  const CurvatureStencil s = stencil(state, nodes);
+  const double l0 = model_->spacing;
+  const double area = l0 * l0 * (area_weights_ == AreaWeights::kEverything ? nodes.tributary_factor : 1.0);
+  TripleGradient gradient;
+  const auto add_ends = [&](const Vec3& p, const Vec3& r) {
+    gradient.add(nodes.end_low, area * p);
+    gradient.add(nodes.end_high, area * r);
+    gradient.add(nodes.middle, -area * (p + r));
+  };
+  if (options_.mode == PaperMode::kAsPrinted) {
+    const TripleCurvature c =
+        evaluate_curvature(s.p, s.m, s.r, l0, s.weft_tangent.cross(s.warp_tangent), CurvatureForm::kC1);
+    const double K = c.curvature;
+    const double moment =
+        bend_as_printed(K, ascending_branch(K, law.elastic().evaluate(K), law.friction().evaluate(K))).moment;
+    add_ends(moment * c.gradient_p, moment * c.gradient_r);
+    return gradient;
+  }
+  const double moment = law.evaluate(evaluate_normal_curvature(s).curvature, state.memory[triple]).stress;
+  const NormalCurvatureGradient g = evaluate_normal_gradient(s, moment, in_plane_stiffness(law));
+  add_ends(g.p, g.r);
+  // Through the normal: each edge at the middle node turns its tangent.
+  const auto add_edge = [&](int first, int second, const Vec3& by_unit) {
+    const Vec3 d =
+        state.positions[static_cast<std::size_t>(second)] - state.positions[static_cast<std::size_t>(first)];
+    const Vec3 u = d.normalized(), by_end = area / d.norm() * (by_unit - by_unit.dot(u) * u);
+    gradient.add(second, by_end);
+    gradient.add(first, -by_end);
+  };
+  const int m = nodes.middle, columns = model_->columns, column = m % columns, row = m / columns;
+  if (column > 0) add_edge(m - 1, m, g.weft_tangent);
+  if (column + 1 < columns) add_edge(m, m + 1, g.weft_tangent);
+  if (row > 0) add_edge(m - columns, m, g.warp_tangent);
+  if (row + 1 < model_->rows) add_edge(m, m + columns, g.warp_tangent);
+  return gradient;
 }
 
 RelaxationResult SolverRelaxation::measure(const LatticeState& state) const noexcept {

@@ -12,6 +12,7 @@
 //   PaperMode        kAsPrinted                            kCorrected
 //   gradient         of a particle's own triples: ends     full: the middle particle gets the reaction
 //   law              ascending branch only, M(0) = +HB     elastic curve and friction with memory (PlayLaw)
+//   curvature        sign |a + b| / l                      along the normal; within the sheet linear elastic
 //   bending energy   |t K / 2|                             incremental potential W_n(K)
 //   sharp folds      C1 form of Eq. (2) in both: the printed branch tears the sheet to infinity at its first
 //   fold area weights     none                                  1, 1/2, 1/4 of l0^2
@@ -21,6 +22,7 @@
 //   dissipation. As printed the flat sheet is unstable: waves longer than four spacings grow, fastest at six.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -92,12 +94,23 @@ struct RelaxationResult {
 
 /// A triple at some state.
 struct TripleReading {
-  double curvature = 0.0;  ///< signed [1/m]
-  double moment = 0.0;     ///< t per width [N]: the law's with memory, or as printed the ascending branch
-  double conjugate_moment = 0.0;   ///< d energy / d curvature per width [N]: differs from t only as printed
-  double energy = 0.0;             ///< per area [J/m2]: free energy, or |t K / 2| as printed
-  Vec3 gradient_p = Vec3::Zero();  ///< d curvature / d end_low [1/m2]
-  Vec3 gradient_r = Vec3::Zero();  ///< d curvature / d end_high [1/m2]
+  double curvature =
+      0.0;              ///< [1/m], positive toward the face: along the normal, or as printed sign |a + b| / l
+  double moment = 0.0;  ///< t per width [N]: the law's with memory, or as printed the ascending branch
+  double energy = 0.0;  ///< per area [J/m2]: free energy and in-plane part, or |t K / 2| as printed
+  double in_plane_energy = 0.0;  ///< per area [J/m2]: of the thread bent within the sheet; none as printed
+};
+
+/// Full gradient of the bending energy of a triple: through the nodes of the triple and of the edges at its
+/// middle.
+struct TripleGradient {
+  std::array<int, 11> nodes{};  ///< a node may come more than once
+  std::array<Vec3, 11> values;  ///< [N]
+  std::size_t count = 0;
+  void add(int node, const Vec3& value) noexcept {
+    nodes[count] = node;
+    values[count++] = value;
+  }
 };
 
 /// Eq. (6). Build, prepare() once, then step() or run().
@@ -133,10 +146,14 @@ class SolverRelaxation {
   AreaWeights area_weights() const noexcept { return area_weights_; }
   /// One triple of a state, by its index in the model. Thread class: real-time.
   TripleReading read_triple(const LatticeState& state, std::size_t triple) const noexcept;
+  /// Its full gradient, area weight included, in both modes. Thread class: real-time.
+  TripleGradient triple_gradient(const LatticeState& state, std::size_t triple) const noexcept;
   /// Energies and stretch of a state. Thread class: real-time.
   RelaxationResult measure(const LatticeState& state) const noexcept;
 
  private:
+  CurvatureStencil stencil(const LatticeState& state, const LatticeTriple& triple) const noexcept;
+
   const LatticeModel* model_ = nullptr;  // not owned: outlives the solver
   const FabricLaws* laws_ = nullptr;     // not owned
   RelaxationOptions options_;

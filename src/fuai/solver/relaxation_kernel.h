@@ -7,8 +7,10 @@
 //   them:
 //
 //     1 edges     dx[i] = x[i+s] - x[i]     T[i] = k (|d| - L) d / |d|,  U[i] = d / |d| for threads
-//     2 triples   e = U[i] - U[i-s]         moment from the law at K = sign |e| / l;  GP[i], GR[i]
-//     3 gather    F[i] = weight + sum T[i] - T[i-s] + sum (GP + GR)[i] - GP[i+s] - GR[i-s]
+//     2 triples   e = U[i] - U[i-s]         moment M from the law at the normal curvature kappa = e.n / l, or
+//     as
+//                 printed at sign |e| / l;  dE/de, its gradients GP[i], GR[i], and what turns the normal,
+//                 dE/dU, which joins T
 //     4 move      x += mobility F
 //
 //   All arrays carry columns + 1 zeros on both sides, so that no loop looks at the border.
@@ -48,12 +50,12 @@ struct KernelThread {
   KernelVectors unit;                     ///< U [-]
   std::vector<double> inverse_length;     ///< 1/|d| [1/m]
   KernelVectors sum;                      ///< e
-  std::vector<double> sum_norm, on_face;  ///< |e|, e . normal
-  std::vector<double> coefficient;        ///< force per (e - ...) [N]
-  std::vector<double> half_square;        ///< |e|^2 / 2, or zero in flat cloth
-  KernelVectors gradient_p, gradient_r;   ///< GP, GR [N]
-  std::vector<std::size_t> middle;        ///< padded index of each real triple's middle node
-  std::vector<double> weight;             ///< tributary factor times l0^2 / l0 [m] of each real triple
+  std::vector<double> sum_norm, on_face;  ///< |e|, e . N
+  KernelVectors bend;                     ///< dE/de [J]; zero where there is no triple
+  KernelVectors turn;                    ///< dE/d tangent of this thread at each node [J], through the normal
+  KernelVectors gradient_p, gradient_r;  ///< GP, GR [N]
+  std::vector<std::size_t> middle;       ///< padded index of each real triple's middle node
+  std::vector<double> weight;            ///< tributary factor times l0^2 [m2] of each real triple
   BendTable table;
   std::vector<PlayState> memory;  ///< of each real triple
 };
@@ -89,8 +91,12 @@ class RelaxationKernel {
 
  private:
   void compute_springs(KernelSprings& springs, KernelThread* thread) noexcept;
+  void compute_normals() noexcept;
   void compute_sums(KernelThread& thread, std::size_t stride) noexcept;
   void compute_moments(KernelThread& thread) noexcept;
+  Vec3 energy_slope(KernelThread& thread, std::size_t triple) noexcept;
+  Vec3 energy_slope_as_printed(const KernelThread& thread, std::size_t triple) noexcept;
+  void turn_edges(KernelThread& thread, KernelSprings& springs) noexcept;
   void compute_gradients(KernelThread& thread, std::size_t stride) noexcept;
   void gather() noexcept;
   std::size_t padded(int node) const noexcept { return pad_ + static_cast<std::size_t>(node); }
