@@ -229,11 +229,14 @@ VirginNodes virgin_nodes(const MeasuredCurve& curve, std::size_t count, std::vec
   VirginNodes nodes{reached, resample_monotone(std::move(virgin), 0.0, reached, count),
                     resample_monotone(std::move(recovery), 0.0, reached, count)};
   const double peak = peak_stress(curve);
-  // The test starts from rest: no stress at zero strain, and the recovery begins where the loading ended.
-  const double end_gap = nodes.recovery.back() - nodes.load.back();
+  // The recovery begins where the loading ended; a drop between the two samples falls into the last cell.
+  const double drop = nodes.load.back() - nodes.recovery.back();
+  if (std::abs(drop) > 0.05 * peak) {
+    notes.emplace_back("the recovery begins " + std::to_string(std::lround(100.0 * drop / peak)) +
+                       " % of the peak below the end of the loading; the drop is put into the last node");
+  }
+  nodes.recovery.back() = nodes.load.back();
   for (std::size_t i = 0; i < count; ++i) {
-    const double t = static_cast<double>(i) / static_cast<double>(count - 1);
-    nodes.recovery[i] -= t * end_gap;
     nodes.load[i] = std::max(nodes.load[i], 0.0);
     if (curve.test == Test::kTensile)
       nodes.recovery[i] = std::max(nodes.recovery[i], 0.0);  // a strip cannot push

@@ -7,6 +7,7 @@
 
 #include "fuai/core/error.h"
 #include "fuai/fabric/branch_nodes.h"
+#include "fuai/fabric/cycle_comparison.h"
 #include "fuai/fabric/scalar_laws.h"
 
 namespace fuai {
@@ -17,18 +18,17 @@ constexpr std::size_t kVirginNodes = 201;
 
 /// rms distance of the replayed law from the samples, over the peak of the measured stress.
 double replay_residual(const PlayLaw& law, const MeasuredCurve& curve) {
-  const auto predicted = replay(law, curve);
-  double square = 0.0, peak = 0.0;
-  std::size_t count = 0;
+  const MeasuredCurve predicted = compare_cycles(law, curve).predicted;
+  double square = 0.0, peak = 0.0, count = 0.0;
   for (std::size_t b = 0; b < curve.branches.size(); ++b) {
     for (std::size_t i = 0; i < curve.branches[b].samples.size(); ++i) {
       const double measured = curve.branches[b].samples[i].stress;
-      square += std::pow(predicted[b][i] - measured, 2);
+      square += std::pow(predicted.branches[b].samples[i].stress - measured, 2);
       peak = std::max(peak, std::abs(measured));
-      ++count;
+      count += 1.0;
     }
   }
-  return peak > 0.0 ? std::sqrt(square / static_cast<double>(count)) / peak : 0.0;
+  return peak > 0.0 ? std::sqrt(square / count) / peak : 0.0;
 }
 
 CurveLaw law_of_loop(const MeasuredCurve& curve, double jamming_curvature) {
@@ -75,17 +75,6 @@ CurveLaw law_of_virgin_curve(const MeasuredCurve& curve, double jamming_curvatur
 }
 
 }  // namespace
-
-std::vector<std::vector<double>> replay(const PlayLaw& law, const MeasuredCurve& curve) {
-  PlayState state;
-  std::vector<std::vector<double>> stresses;
-  for (const CurveBranch& branch : curve.branches) {
-    stresses.emplace_back();
-    for (const CurveSample& s : branch.samples)
-      stresses.back().push_back(law.advance(s.strain, state).stress);
-  }
-  return stresses;
-}
 
 CurveLaw make_curve_law(const MeasuredCurve& curve, double jamming_curvature) {
   if (curve.test == Test::kCompression) {

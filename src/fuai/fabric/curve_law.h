@@ -27,8 +27,4 @@ struct CurveLaw {
 /// set-up.
 CurveLaw make_curve_law(const MeasuredCurve& curve, double jamming_curvature);
 
-/// Drives a law from the virgin state through every sample of a curve. @return the law's stresses, branch by
-/// branch, at the measured strains [unit of stress]. Thread class: set-up.
-std::vector<std::vector<double>> replay(const PlayLaw& law, const MeasuredCurve& curve);
-
 }  // namespace fuai

@@ -160,7 +160,10 @@ class FabricReader {
     std::error_code code;
     if (!fs::exists(full, code))
       fail(node, path, "the curve file '" + full + "' does not exist", "put it there, or correct the name");
-    const MeasuredCurve curve = read_curve_csv(full, {field->test, field->direction});
+    // Shear is between warp and weft; its curve says how it was measured (a bias strip, for one).
+    CurveCsvOptions expected{field->test, field->direction};
+    if (field->test == Test::kShear) expected.direction.reset();
+    const MeasuredCurve curve = read_curve_csv(full, expected);
     for (const std::string& warning : curve_warnings(curve)) fabric_.warnings.push_back(warning);
     *field->curve = KnownCurve{curve, provenance_of(path)};
     return true;

@@ -35,6 +35,8 @@ constexpr NamedUnit kUnits[] = {
     {"Hz", {1.0, {{0, 0, -1, 0}}}},
     {"N", {1.0, kForce}},
     {"mN", {1e-3, kForce}},
+    {"uN", {1e-6, kForce}},
+    {"µN", {1e-6, kForce}},
     {"cN", {unit::kCentinewton, kForce}},
     {"gf", {unit::kGramForce, kForce}},
     {"kgf", {1e3 * unit::kGramForce, kForce}},

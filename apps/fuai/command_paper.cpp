@@ -1,0 +1,65 @@
+// `fuai paper`.
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+#include <filesystem>
+
+#include "commands.h"
+#include "fuai/core/error.h"
+#include "fuai/experiments/paper_page.h"
+#include "fuai/io/text_file.h"
+
+namespace fuai_app {
+namespace {
+
+using namespace fuai;
+
+JsonValue run_json(const PaperSummaryRow& run) {
+  JsonValue value;
+  value.set("figure", run.figure).set("fabric", run.fabric).set("mode", run.mode);
+  value.set("steps", std::int64_t{run.steps}).set("residual_node_weights", run.residual_node_weights);
+  value.set("converged", run.converged).set("seconds", run.seconds);
+  return value;
+}
+
+void print_run(const Console& console, const PaperSummaryRow& run) {
+  char text[200];
+  std::snprintf(text, sizeof text, "  figure %s  %-20s %-10s %10lld steps  residual %8.2g  %s  %6.1f s",
+                run.figure.c_str(), run.fabric.c_str(), run.mode.c_str(), run.steps,
+                run.residual_node_weights, run.converged ? "at rest    " : "not at rest", run.seconds);
+  console.line(text);
+}
+
+}  // namespace
+
+int run_paper(const Console& console, const PaperOptions& options) {
+  std::error_code code;
+  std::filesystem::create_directories(options.out, code);
+  if (code) {
+    throw Error(ErrorKind::kBadInput, "cannot make the folder: " + code.message(), {options.out, 0, 0, ""},
+                "name another folder with --out");
+  }
+  console.say("remaking the paper's figures; a corrected drape takes tens of seconds");
+  const PaperPage page = make_paper_page({options.figure}, console.progress());
+  for (const OutputFile& file : page.files) {
+    write_atomically((std::filesystem::path(options.out) / file.name).string(), file.bytes);
+  }
+  JsonValue json, runs{JsonValue::Array{}};
+  bool all_at_rest = true;
+  for (const PaperSummaryRow& run : page.runs) {
+    print_run(console, run);
+    runs.push(run_json(run));
+    all_at_rest = all_at_rest && (run.converged || run.mode == "as printed");
+  }
+  const std::string index = (std::filesystem::path(options.out) / "index.html").string();
+  console.line("wrote " + index + " and " + std::to_string(page.files.size() - 1) +
+               " pictures and tables beside it");
+  json.set("index", index)
+      .set("files", static_cast<std::int64_t>(page.files.size()))
+      .set("runs", std::move(runs));
+  console.result(json);
+  if (all_at_rest) return 0;
+  console.warn("a corrected experiment did not come to rest; the page says which");
+  return 1;
+}
+
+}  // namespace fuai_app

@@ -1,0 +1,49 @@
+// The commands: their options and what runs them. Each returns the process's exit code.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "console.h"
+
+namespace fuai_app {
+
+int run_fabrics(const Console& console);
+
+struct ImportOptions {
+  std::vector<std::string> files;
+  std::string output;
+  std::string name;       ///< replaces the name found in the files
+  std::string mass;       ///< with unit; needed with curve files alone
+  std::string thickness;  ///< with unit
+  std::string test;       ///< for curve files without a fuai-curve line
+  std::string direction;  ///< the same
+};
+int run_import(const Console& console, const ImportOptions& options);
+
+struct ShowOptions {
+  std::string fabric;
+  std::string plot;  ///< .png or .svg; empty: none
+};
+int run_show(const Console& console, const ShowOptions& options);
+
+struct PaperOptions {
+  std::string out = "out/paper";
+  int figure = 0;  ///< 0: all; 1, 4, 6, 7 or 8
+};
+int run_paper(const Console& console, const PaperOptions& options);
+
+int run_scenes(const Console& console);
+
+struct RenderOptions {
+  std::string scene;
+  std::string fabric = "cupro-woven-su1098";
+  std::string time;  ///< with unit; empty: until the scene is at rest
+  std::string output;
+  int width = 1280, height = 800;
+  bool as_printed = false;
+};
+int run_render(const Console& console, const RenderOptions& options);
+
+}  // namespace fuai_app

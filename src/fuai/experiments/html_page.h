@@ -1,0 +1,54 @@
+// Composes a self-explaining HTML page of headings, paragraphs, tables and pictures.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fuai {
+
+/// A file that an experiment made; the caller writes it.
+struct OutputFile {
+  std::string name;  ///< relative to the output folder
+  std::string bytes;
+};
+
+/// Text with &, <, > and quotes made safe for HTML.
+std::string escape_html(std::string_view text);
+
+/// A table: header and rows of plain text; columns after the first are aligned to the right.
+struct HtmlTable {
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;
+  std::string caption;
+};
+
+/// Builds the page top-down. Text is plain and escaped; `raw` is not.
+class HtmlPage {
+ public:
+  explicit HtmlPage(std::string title) : title_(std::move(title)) {}
+
+  void heading(std::string_view text, std::string_view anchor = {});
+  void subheading(std::string_view text);
+  void paragraph(std::string_view text);
+  void list(const std::vector<std::string>& items);
+  void table(const HtmlTable& table);
+  /// A picture with its caption; `file` is relative to the page.
+  void figure(std::string_view file, std::string_view caption, std::string_view alternative);
+  /// Several pictures side by side under one caption.
+  void gallery(const std::vector<std::pair<std::string, std::string>>& file_and_label,
+               std::string_view caption);
+  void raw(std::string_view html) { body_ += html; }
+
+  /// The whole document.
+  std::string html() const;
+
+ private:
+  std::string title_, body_;
+};
+
+/// A table as CSV text: commas, quotes where needed, one line a row.
+std::string to_csv(const HtmlTable& table);
+
+}  // namespace fuai

@@ -1,0 +1,26 @@
+// How the scenes are photographed: camera, table, colours.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fuai/cloth/surface_mesh.h"
+#include "fuai/picture/cloth_picture.h"
+
+namespace fuai {
+
+/// The corner drape seen from beyond its free corner, with the table it hangs from.
+/// @param aspect width over height of the picture
+ClothPicture paper_drape_picture(SurfaceMesh mesh, const std::string& caption, double aspect);
+
+/// The bent strip seen from its side, with force arrows [m].
+ClothPicture paper_bending_picture(SurfaceMesh mesh, std::vector<ArrowItem> arrows,
+                                   const std::string& caption, double aspect);
+
+/// The picture of a scene of scenes/catalogue.h by its name; an unknown name gets the bending scene's camera.
+ClothPicture scene_picture(std::string_view scene, SurfaceMesh mesh, const std::string& caption,
+                           double aspect);
+
+}  // namespace fuai
