@@ -123,16 +123,17 @@ TEST_SUITE("golden+slow") {
     std::vector<double> arcs;
     for (double K : {0.08, 0.16, 0.08, 0.0}) arcs.push_back(K * unit::kPerCentimetre);
     const auto elastic =
-        run_paper_bending(fuai_test::linear_laws(0.12, 0.0, 200.0), arcs, strip_options(1e-3));
+        run_paper_bending(fuai_test::linear_laws(0.12, 0.0, 200.0), arcs, strip_options(2e-4));
     const auto friction =
-        run_paper_bending(fuai_test::linear_laws(0.12, 0.04, 200.0), arcs, strip_options(1e-3));
+        run_paper_bending(fuai_test::linear_laws(0.12, 0.04, 200.0), arcs, strip_options(2e-4));
     const auto lift = [](const PaperBendingStage& s) { return -s.force.reaction.z() / unit::kGramForce; };
     for (const auto& s : friction) CHECK(s.relaxation.converged);
-    // Both stop at 1e-3 of 0.02 gf; slow modes leave ten times that in the force.
+    // Stopped at 2e-4 of 0.02 gf a node, the slowest mode leaves less than a hundred times that in the
+    // reaction; the loop is several times wider.
     CHECK(std::abs(lift(elastic[2]) - lift(elastic[0])) < 5e-4);
     CHECK(std::abs(lift(elastic[3])) < 5e-4);
     CHECK(std::abs(lift(friction[2]) - lift(friction[0])) > 2e-3);
     CHECK(std::abs(lift(friction[3])) > 2e-3);
-    CHECK(friction[3].mid_curvature > 10.0 * std::abs(elastic[3].mid_curvature));
+    CHECK(std::abs(friction[3].mid_curvature) > 5.0 * std::abs(elastic[3].mid_curvature));
   }
 }

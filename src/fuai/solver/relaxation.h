@@ -14,12 +14,12 @@
 //   law              ascending branch only, M(0) = +HB     elastic curve and friction with memory (PlayLaw)
 //   curvature        sign |a + b| / l                      along the normal; within the sheet linear elastic
 //   bending energy   |t K / 2|                             incremental potential W_n(K)
-//   sharp folds      C1 form of Eq. (2) in both: the printed branch tears the sheet to infinity at its first
-//   fold area weights     none                                  1, 1/2, 1/4 of l0^2
+//   area weights     none                                  1, 1/2, 1/4 of l0^2
 //
+//   Sharp folds: both modes use the C1 form of Eq. (2); with the printed one a stiff drape ran to infinity.
 //   The memory is committed at every step: the descent path is taken as the path of the cloth. The law is
-//   rate-independent, so only the path counts; each step lowers free energy + weight by at least the
-//   dissipation. As printed the flat sheet is unstable: waves longer than four spacings grow, fastest at six.
+//   rate-independent, so only the path counts; within the bounds springs + free energy + weight fall.
+//   As printed the flat sheet is unstable: waves longer than four spacings grow, fastest at six.
 #pragma once
 
 #include <array>
