@@ -191,7 +191,7 @@ struct ClothPainter::Light {
     // From the upper left of the viewer, so that folds that run towards the viewer have a bright and a dark
     // side.
     const Mat3 axes = camera_axes(picture.camera);
-    key = (-0.62 * axes.col(0) + 0.25 * axes.col(2) + 0.80 * Vec3::UnitZ()).normalized();
+    key = (-0.58 * axes.col(0) + 0.50 * axes.col(2) + 0.68 * Vec3::UnitZ()).normalized();
     fill = (0.60 * axes.col(0) + 0.60 * axes.col(2) + 0.20 * Vec3::UnitZ()).normalized();
   }
 };

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
-
 namespace fuai {
 
 /// OpenGL 3.3 core. Thread class: set-up; a context is used on the thread that made it.
@@ -18,11 +16,8 @@ class EglContext {
   void make_current() const;
 
  private:
-  class Display;
-  static std::shared_ptr<Display> shared_display();
-
-  std::shared_ptr<Display> display_;
-  void* context_;
+  void* display_;  // EGLDisplay, of the process
+  void* context_;  // EGLContext
 };
 
 }  // namespace fuai

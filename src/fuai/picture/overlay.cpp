@@ -6,7 +6,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "fuai/picture/canvas.h"
@@ -23,7 +22,14 @@ struct Sheet {
   TextStyle plain;  // letter size in proportion to the picture
   double right;     // end of the part that no colour bar takes [pixel]
   double top;       // end of the caption [pixel]
+  bool dark;        // background
 };
+
+/// A colour for letters: darker on a light background, lighter on a dark one.
+Colour ink(const Sheet& sheet, const Colour& c) {
+  const double keep = sheet.dark ? 0.55 : 0.85, add = sheet.dark ? 0.45 : 0.0;
+  return {keep * c.red + add, keep * c.green + add, keep * c.blue + add, 1.0};
+}
 
 void draw_caption(Sheet& sheet, const std::string& caption) {
   TextStyle style = sheet.plain;
@@ -73,7 +79,7 @@ void draw_arrow_label(const Sheet& sheet, const ClothPicture& picture, const Arr
   const Vec3 root = project_to_pixel(picture.camera, w, h, arrow.origin);
   if (tip.z() <= 0.0) return;  // behind the eye
   TextStyle style = sheet.plain;
-  style.colour = {0.75 * arrow.colour.red, 0.75 * arrow.colour.green, 0.75 * arrow.colour.blue, 1.0};
+  style.colour = ink(sheet, arrow.colour);
   style.bold = true;
   const TextBox box = measure_text(sheet.cairo, arrow.label, style);
   // Beyond the tip, in the direction in which the arrow points on the picture.
@@ -110,31 +116,39 @@ Eigen::Matrix<double, 3, 2> mean_yarn_directions(const SurfaceMesh& mesh) {
 
 void draw_triad(const Sheet& sheet, const ClothPicture& picture) {
   struct Ray {
-    Vec3 direction;
+    Vec2 flat;  // on the picture, y downward
     Colour colour;
     std::string label;
   };
-  std::vector<Ray> rays{{Vec3::UnitZ(), {0.35, 0.35, 0.35, 1.0}, picture.triad.up_label}};
+  const Mat3 to_camera = camera_axes(picture.camera).transpose();
+  std::vector<Ray> rays;
+  const auto add = [&](const Vec3& direction, Colour colour, const std::string& label) {
+    const Vec3 q = to_camera * direction;
+    const Vec2 flat(q.x(), -q.y());
+    if (flat.norm() > 0.12)
+      rays.push_back({flat, colour, label});  // else it points at the viewer or is not known
+  };
   if (!picture.cloths.empty()) {
     const auto yarns = mean_yarn_directions(picture.cloths.front().mesh);
-    rays.push_back({yarns.col(0).normalized(), yarn_colour(Direction::kWeft), picture.triad.weft_label});
-    rays.push_back({yarns.col(1).normalized(), yarn_colour(Direction::kWarp), picture.triad.warp_label});
+    add(yarns.col(0).normalized(), yarn_colour(Direction::kWeft), picture.triad.weft_label);
+    add(yarns.col(1).normalized(), yarn_colour(Direction::kWarp), picture.triad.warp_label);
   }
-  const Mat3 to_camera = camera_axes(picture.camera).transpose();
-  std::sort(rays.begin(), rays.end(), [&](const Ray& a, const Ray& b) {
-    return (to_camera * a.direction).z() < (to_camera * b.direction).z();
+  // Up is left out where it would hide a yarn.
+  const Vec2 up(to_camera(0, 2), -to_camera(1, 2));
+  const bool hides = std::any_of(rays.begin(), rays.end(), [&](const Ray& ray) {
+    return ray.flat.dot(up) > 0.94 * ray.flat.norm() * up.norm();
   });
+  if (!hides) add(Vec3::UnitZ(), sheet.plain.colour, picture.triad.up_label);
+
   cairo_t* cairo = sheet.cairo;
-  const double length = 2.6 * sheet.plain.size, head = 0.55 * sheet.plain.size;
-  const double x0 = sheet.margin + 1.9 * length, y0 = sheet.height - sheet.margin - 1.4 * length;
+  const double size = sheet.plain.size, length = 2.6 * size, head = 0.55 * size;
+  const Vec2 origin(sheet.margin + 1.9 * length, sheet.height - sheet.margin - 1.4 * length);
+  std::vector<Vec2> places;
   for (const Ray& ray : rays) {
-    const Vec3 q = to_camera * ray.direction;
-    const Vec2 flat(q.x(), -q.y());
-    if (!(flat.norm() > 0.12)) continue;  // points at the viewer, or is not known
-    const Vec2 ahead = flat.normalized(), aside(-ahead.y(), ahead.x());
-    const Vec2 origin(x0, y0), tip = origin + length * flat, neck = tip - head * ahead;
+    const Vec2 ahead = ray.flat.normalized(), aside(-ahead.y(), ahead.x());
+    const Vec2 tip = origin + length * ray.flat, neck = tip - head * ahead;
     set_colour(cairo, ray.colour);
-    cairo_set_line_width(cairo, 0.16 * sheet.plain.size);
+    cairo_set_line_width(cairo, 0.16 * size);
     cairo_move_to(cairo, origin.x(), origin.y());
     cairo_line_to(cairo, neck.x(), neck.y());
     cairo_stroke(cairo);
@@ -145,8 +159,14 @@ void draw_triad(const Sheet& sheet, const ClothPicture& picture) {
     cairo_close_path(cairo);
     cairo_fill(cairo);
     TextStyle style = sheet.plain;
-    style.colour = ray.colour;
-    const Vec2 place = tip + 0.35 * style.size * ahead;
+    style.colour = ink(sheet, ray.colour);
+    // A label beyond the tip; one that would lie on another goes a line lower.
+    Vec2 place = tip + 0.35 * size * ahead;
+    for (const Vec2& other : places) {
+      if (std::abs(place.x() - other.x()) < 3.0 * size && std::abs(place.y() - other.y()) < 1.2 * size)
+        place.y() = other.y() + 1.3 * size;
+    }
+    places.push_back(place);
     draw_text(cairo, ray.label, place.x(), place.y(), {0.5 - 0.5 * ahead.x(), 0.5 - 0.5 * ahead.y()}, style);
   }
 }
@@ -168,7 +188,8 @@ void draw_grid_size(const Sheet& sheet, double grid) {
 Image draw_overlay(const Image& image, const ClothPicture& picture) {
   Canvas canvas(image);
   Sheet sheet{
-      canvas.cairo(), static_cast<double>(image.width), static_cast<double>(image.height), 0.0, {}, 0.0, 0.0};
+      canvas.cairo(), static_cast<double>(image.width), static_cast<double>(image.height), 0.0, {}, 0.0, 0.0,
+      false};
   sheet.plain.size = std::max(9.0, 0.026 * std::min(sheet.height, 0.8 * sheet.width));
   sheet.margin = sheet.plain.size;
   sheet.right = sheet.width * (picture.colour_bar ? 1.0 - kColourBarStrip : 1.0);
@@ -176,7 +197,8 @@ Image draw_overlay(const Image& image, const ClothPicture& picture) {
   // Dark letters on a light background, light ones on a dark background.
   const Colour& back = picture.background;
   const double lightness = 0.3 * back.red + 0.6 * back.green + 0.1 * back.blue;
-  if (back.alpha > 0.5 && lightness < 0.45) {
+  sheet.dark = back.alpha > 0.5 && lightness < 0.45;
+  if (sheet.dark) {
     sheet.plain.colour = {0.93, 0.93, 0.93, 1.0};
     sheet.plain.halo_colour = {0.0, 0.0, 0.0, 0.6};
   }

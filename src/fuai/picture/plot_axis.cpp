@@ -39,6 +39,9 @@ void add_linear_ticks(Axis& axis, int most_ticks) {
   const auto first_of = [&](double s) { return std::ceil(axis.low / s - 1e-9); };
   const auto last_of = [&](double s) { return std::floor(axis.high / s + 1e-9); };
   while (last_of(step) - first_of(step) + 1.0 > most_ticks) step = nice_step(1.5 * step);
+  // A single number says nothing of the scale: rather one step finer (0.35 leads from 5 to 2, 2 to 1, 1 to
+  // 0.5).
+  while (last_of(step) - first_of(step) < 1.0) step = nice_step(0.35 * step);
 
   // Numbers with many zeros are written with a common power of ten.
   const double largest = std::max(std::abs(axis.low), std::abs(axis.high));

@@ -26,7 +26,8 @@ struct Axis {
 
 /// An axis with ticks at 1, 2 or 5 times a power of ten.
 /// @param low, high finite, low < high; both > 0 when logarithmic
-/// @param most_ticks upper limit of the number of labelled ticks, at least 2
+/// @param most_ticks upper limit of the number of labelled ticks, at least 2; on a linear axis up to 5 are
+/// made where fewer would leave a single one
 Axis make_axis(double low, double high, bool logarithmic, int most_ticks);
 
 /// A number with a real minus sign. @param decimals digits behind the point

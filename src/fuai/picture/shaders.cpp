@@ -93,14 +93,14 @@ uniform float key_offset;       // [m]
 uniform float key_texel;        // one texel in [0, 1]
 out vec4 colour;
 
-// Coverage of a pixel by lines at whole numbers; `share` is the part of the spacing that a line takes.
-// Lines closer than about two pixels melt into their mean tint.
+// Coverage of a pixel by lines at whole numbers; `share` is the part of the spacing that a line takes, at
+// least about a pixel. Where lines come closer than three pixels or so they melt into their mean tint.
 float lines(float coordinate, float footprint, float share) {
   float w = max(footprint, 1e-6);
-  share = clamp(max(share, 1.1 * w), 0.0, 0.35);
+  float seen = min(max(share, 1.1 * w), 0.35);
   float distance = abs(fract(coordinate - 0.5) - 0.5);
-  float sharp = clamp((0.5 * share + 0.5 * w - distance) / w, 0.0, 1.0);
-  return mix(sharp, share, smoothstep(0.3, 0.6, w));
+  float sharp = clamp((0.5 * seen + 0.5 * w - distance) / w, 0.0, 1.0);
+  return mix(sharp, share, smoothstep(0.22, 0.45, w));
 }
 
 float key_visibility(vec3 p) {
@@ -120,7 +120,7 @@ float light_on(vec3 n, float soft, vec3 to_eye) {
   if (key > 0.0) key *= key_visibility(world + key_offset * n);
   float fill = max(dot(n, fill_direction), 0.0) * soft;
   float sheen = pow(1.0 - max(dot(n, to_eye), 0.0), 3.0) * soft;
-  return 0.60 * key + 0.12 * fill + 0.40 * soft + 0.06 * sheen;
+  return 0.60 * key + 0.16 * fill + 0.40 * soft + 0.06 * sheen;
 }
 
 vec3 cloth_albedo(bool front) {
