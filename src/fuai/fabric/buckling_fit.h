@@ -49,7 +49,7 @@ struct BucklingFit {
   double hysteresis_2HB_error = 0.0;         ///< [N]
   double clamp_tilt = 0.0;                   ///< of both clamps, positive upwards [rad]
   double clamp_tilt_error = 0.0;             ///< [rad]
-  std::array<double, 2> B_alone{};           ///< B of D1 alone and of U1 alone [N m]: the honest spread
+  std::array<double, 2> B_alone{};           ///< B of D1 alone, of U1 alone, each with its own tilt [N m]
   std::array<double, 2> hysteresis_alone{};  ///< the same of 2HB [N]
   double rms = 0.0;                          ///< over the fitted tests [N]
   double rms_fraction = 0.0;                 ///< rms over the mean span of the fitted tests
@@ -59,7 +59,8 @@ struct BucklingFit {
 
 /// Fits one direction.
 /// Huber weights hold single bad samples down. Quality: good when the residual is at most 5 % of the span and
-/// D1 alone and U1 alone agree within 25 % in B; fair up to 10 % and 50 %; poor beyond.
+/// B of D1 alone and of U1 alone lies within 25 % of B; fair up to 10 % and 50 %; poor beyond. The standard
+/// errors take the residuals as independent, which they are not: the spread of D1 and U1 says more.
 /// @throws Error (kBadInput) when D1 or U1 has too few samples with d < free length, (kCheckFailed) when
 /// the simulation does not converge. Thread class: set-up.
 BucklingFit fit_buckling(const FabRecord& record, Direction direction);
