@@ -226,7 +226,8 @@ VirginNodes virgin_nodes(const MeasuredCurve& curve, std::size_t count, std::vec
                 {curve.source, 0, 0, ""}, "give the loading and the unloading of at least one cycle");
   }
   virgin.push_back({0.0, 0.0});
-  // The clamps may still move a little while the load already falls: the loop ends at the largest strain of both.
+  // The clamps may still move a little while the load already falls: the loop ends at the largest strain of
+  // both.
   reached = std::max(reached, strain_range(recovery).high);
   VirginNodes nodes{reached, resample_monotone(std::move(virgin), 0.0, reached, count),
                     resample_monotone(std::move(recovery), 0.0, reached, count)};
