@@ -10,7 +10,7 @@ using namespace fuai;
 
 TEST_SUITE("golden") {
   TEST_CASE(
-      "five measured curves with four cycles each; tension misses no cycle by more than 4 % rms of its "
+      "five measured curves with four cycles each; tension misses no cycle by more than 3.5 % rms of its "
       "peak") {
     // docs/measured-cycles.md holds the figures; the bounds are those figures rounded up.
     const auto all = compare_all_measured_cycles();
@@ -21,7 +21,7 @@ TEST_SUITE("golden") {
       REQUIRE(m.comparison.cycles.size() == 4);
       for (const CycleMisfit& c : m.comparison.cycles) {
         CAPTURE(c.cycle);
-        CHECK(c.rms_fraction < (m.law == "shear" ? 0.2 : 0.04));
+        CHECK(c.rms_fraction < (m.law == "shear" ? 0.125 : 0.035));
         CHECK(c.predicted_loop_area > 0.0);
         CHECK(c.measured_loop_area > 0.0);
       }
