@@ -127,7 +127,11 @@ class ForceFigure : public PaperFigure {
          "(a) suggests, and "
          "the curvature at the held particle is not that of the arc.",
          "The paper's curve starts at 2HB/2 for flat cloth, a force out of nothing; with memory it starts at "
-         "zero."});
+         "zero.",
+         "Weak: the springs of the plain descent are soft (10 gf/cm). With 2 gf/cm the reaction of the wool "
+         "is 24 % lower at "
+         "0.04 1/cm and 2 % higher at a half turn; only a held patch of fixed size and real thread stiffness "
+         "will settle it."});
   }
 
  private:

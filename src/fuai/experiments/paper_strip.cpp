@@ -6,16 +6,12 @@
 
 #include "fuai/experiments/paper_context.h"
 #include "fuai/io/fabric_library.h"
-#include "fuai/units/constants.h"
 
 namespace fuai {
 namespace {
 
 /// The printed form never comes to rest: each stage stops here.
 constexpr std::int64_t kPrintedSteps = 20'000, kMostSteps = 5'000'000;
-/// The strip carries hundredths of a gf, so softer springs than the drape's stretch it no more, and rest
-/// comes five times sooner; the tables say how far it stretched.
-constexpr double kStripSprings = 2.0 * unit::kGfPerCm;
 
 }  // namespace
 
@@ -27,7 +23,6 @@ StripRun run_strip(const std::string& fabric_id, PaperMode mode, std::span<const
   run.mode = mode;
   PaperBendingOptions options;
   options.relaxation.mode = mode;
-  options.relaxation.spring_stiffness = kStripSprings;
   if (mode == PaperMode::kCorrected) options.stop.max_steps = kMostSteps;
   if (mode == PaperMode::kAsPrinted) options.stop.max_steps = kPrintedSteps;
   PaperBending scene = make_paper_bending(run.laws, options);
