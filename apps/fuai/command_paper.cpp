@@ -38,8 +38,8 @@ int run_paper(const Console& console, const PaperOptions& options) {
     throw Error(ErrorKind::kBadInput, "cannot make the folder: " + code.message(), {options.out, 0, 0, ""},
                 "name another folder with --out");
   }
-  console.say("remaking the paper's figures; a corrected drape takes tens of seconds");
-  const PaperPage page = make_paper_page({options.figure}, console.progress());
+  console.say("remaking the paper's figures; some minutes");
+  const PaperPage page = make_paper_page({options.figure, console.options().threads}, console.progress());
   for (const OutputFile& file : page.files) {
     write_atomically((std::filesystem::path(options.out) / file.name).string(), file.bytes);
   }

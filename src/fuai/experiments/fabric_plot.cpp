@@ -24,6 +24,24 @@ constexpr AxisUnits kBendingUnits{unit::kPerCentimetre, unit::kGfCmPerCm};
 constexpr AxisUnits kShearUnits{unit::kDegree, unit::kGfPerCm};
 constexpr AxisUnits kTensileUnits{unit::kPercent, unit::kGfPerCm};
 
+/// An empty plot of a test with its axes.
+Plot plot_of(Test test) {
+  Plot plot;
+  plot.x_label = test == Test::kBending ? "curvature [1/cm]"
+                                        : (test == Test::kShear ? "shear angle [deg]" : "strain [%]");
+  plot.y_label = test == Test::kBending ? "moment [gf·cm/cm]"
+                                        : (test == Test::kShear ? "shear force [gf/cm]" : "force [gf/cm]");
+  return plot;
+}
+
+AxisUnits units_of(Test test) {
+  return test == Test::kBending ? kBendingUnits : (test == Test::kShear ? kShearUnits : kTensileUnits);
+}
+
+int colour_of(const MeasuredCurve& curve) {
+  return curve.test == Test::kShear ? series_index(Direction::kBias) : series_index(curve.direction);
+}
+
 Series measured_series(const MeasuredCurve& curve, AxisUnits units, const std::string& label, int colour) {
   Series series;
   series.label = label;
@@ -68,12 +86,6 @@ Series branch_series(const MeasuredCurve& curve, AxisUnits units, const std::str
   return series;
 }
 
-/// The law driven through the strains of a measurement.
-Series replay_series(const PlayLaw& law, const MeasuredCurve& curve, AxisUnits units,
-                     const std::string& label, int colour) {
-  return branch_series(compare_cycles(law, curve).predicted, units, label, colour);
-}
-
 /// "law from scalars B and 2HB", "assumed law".
 std::string law_label(const FabricLaws& laws, const std::string& law) {
   for (const LawReport& report : laws.reports) {
@@ -99,11 +111,17 @@ SteadyLoop steady_loop(const PlayLaw& law, double range, int count) {
   return loop;
 }
 
+Plot curve_and_prediction_plot(const MeasuredCurve& measured, const MeasuredCurve& predicted) {
+  Plot plot = plot_of(measured.test);
+  const AxisUnits units = units_of(measured.test);
+  plot.series = {measured_series(measured, units, "measured", 6),
+                 branch_series(predicted, units, "law, same path", colour_of(measured))};
+  return plot;
+}
+
 Plot bending_plot(const Fabric& fabric, const FabricLaws& laws) {
-  Plot plot;
+  Plot plot = plot_of(Test::kBending);
   plot.title = "Bending";
-  plot.x_label = "curvature [1/cm]";
-  plot.y_label = "moment [gf·cm/cm]";
   for (Direction direction : {Direction::kWarp, Direction::kWeft}) {
     const auto i = static_cast<std::size_t>(direction);
     const int colour = series_index(direction);
@@ -119,47 +137,47 @@ Plot bending_plot(const Fabric& fabric, const FabricLaws& laws) {
 }
 
 Plot shear_plot(const Fabric& fabric, const FabricLaws& laws) {
-  Plot plot;
-  plot.title = "Shear";
-  plot.x_label = "shear angle [deg]";
-  plot.y_label = "shear force [gf/cm]";
+  Plot plot = plot_of(Test::kShear);
   if (fabric.shear.curve) {
-    plot.series.push_back(measured_series(fabric.shear.curve->curve, kShearUnits, "measured", 6));
-    plot.series.push_back(
-        replay_series(laws.shear, fabric.shear.curve->curve, kShearUnits, "law, same path", 2));
+    const MeasuredCurve& curve = fabric.shear.curve->curve;
+    plot = curve_and_prediction_plot(curve, compare_cycles(laws.shear, curve).predicted);
   } else {
-    plot.series.push_back(
-        loop_series(laws.shear, kes_shear_range(), kShearUnits, law_label(laws, "shear"), 2));
+    plot.series.push_back(loop_series(laws.shear, kes_shear_range(), kShearUnits, law_label(laws, "shear"),
+                                      series_index(Direction::kBias)));
   }
+  plot.title = "Shear";
   return plot;
 }
 
-Plot tensile_plot(const Fabric& fabric, const FabricLaws& laws, Direction direction) {
-  const auto i = static_cast<std::size_t>(direction);
-  const std::string name = to_string(direction);
-  const int colour = series_index(direction);
-  Plot plot;
-  plot.title = "Tension, " + name;
-  plot.x_label = "strain [%]";
-  plot.y_label = "force [gf/cm]";
-  if (fabric.tensile[i].curve) {
-    const MeasuredCurve& curve = fabric.tensile[i].curve->curve;
-    plot.series.push_back(measured_series(curve, kTensileUnits, "measured", 6));
-    plot.series.push_back(replay_series(laws.tensile[i], curve, kTensileUnits, "law, same path", colour));
-    return plot;
-  }
-  // One cycle to the end of the table.
-  const double end = laws.tensile[i].elastic().high();
+/// Strains from zero to `end` and back.
+static MeasuredCurve one_cycle(Direction direction, double end) {
   MeasuredCurve cycle;
-  cycle.branches.resize(2);
+  cycle.test = Test::kTensile;
+  cycle.direction = direction;
+  cycle.branches = {{Branch::kLoad, {}}, {Branch::kUnload, {}}};
   constexpr int kCount = 101;
   for (int k = 0; k < kCount; ++k) {
     const double x = end * k / (kCount - 1);
     cycle.branches[0].samples.push_back({x, 0.0});
     cycle.branches[1].samples.push_back({end - x, 0.0});
   }
-  plot.series.push_back(
-      replay_series(laws.tensile[i], cycle, kTensileUnits, law_label(laws, "tensile." + name), colour));
+  return cycle;
+}
+
+Plot tensile_plot(const Fabric& fabric, const FabricLaws& laws, Direction direction) {
+  const auto i = static_cast<std::size_t>(direction);
+  const std::string name = to_string(direction);
+  const PlayLaw& law = laws.tensile[i];
+  Plot plot = plot_of(Test::kTensile);
+  if (fabric.tensile[i].curve) {
+    const MeasuredCurve& curve = fabric.tensile[i].curve->curve;
+    plot = curve_and_prediction_plot(curve, compare_cycles(law, curve).predicted);
+  } else {
+    const MeasuredCurve cycle = compare_cycles(law, one_cycle(direction, law.elastic().high())).predicted;
+    plot.series.push_back(
+        branch_series(cycle, kTensileUnits, law_label(laws, "tensile." + name), series_index(direction)));
+  }
+  plot.title = "Tension, " + name;
   return plot;
 }
 

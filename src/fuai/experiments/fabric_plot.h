@@ -22,6 +22,9 @@ Plot tensile_plot(const Fabric& fabric, const FabricLaws& laws, Direction direct
 /// All four panels: bending, shear, tension of warp and of weft.
 PlotGrid fabric_plot(const Fabric& fabric, const FabricLaws& laws);
 
+/// Measured points and a prediction at the same strains as lines; axes by the test. Thread class: set-up.
+Plot curve_and_prediction_plot(const MeasuredCurve& measured, const MeasuredCurve& predicted);
+
 /// A law's steady loop between -range and range, `count` samples a branch; strain and stress in SI.
 struct SteadyLoop {
   std::vector<double> strain, stress;  ///< rising branch, then falling branch

@@ -1,25 +1,33 @@
-// What the parts of the paper's page share: renderer, page under construction, files, progress.
-// SPDX-License-Identifier: Apache-2.0
+// What the parts of the paper's page share: tasks that run side by side, renderer, page under construction,
+// files. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <chrono>
+#include <functional>
+#include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "fuai/experiments/paper_page.h"
 #include "fuai/picture/image.h"
 #include "fuai/picture/offscreen_renderer.h"
 #include "fuai/picture/plot.h"
+#include "fuai/solver/relaxation.h"
 
 namespace fuai {
 
-/// Handed from figure to figure.
+/// One independent computation of the page.
+struct PaperTask {
+  std::string name;
+  std::function<void(const Progress&)> run;
+};
+
+/// Where the figures write, one after another, after all tasks have run.
 struct PaperContext {
   OffscreenRenderer renderer;
   HtmlPage page;
   PaperPage result;
-  const Progress& progress;
-  double fraction = 0.0;  ///< of the whole page, before the running figure
-  double share = 0.0;     ///< of the running figure
 
   void add_file(std::string name, std::string bytes) {
     result.files.push_back({std::move(name), std::move(bytes)});
@@ -36,14 +44,28 @@ struct PaperContext {
     page.table(table);
     add_file(csv_name, to_csv(table));
   }
-  /// A progress function for part `index` of `count` equal parts of the running figure.
-  Progress part(std::string what, int index, int count) const {
-    if (!progress) return {};
-    return [this, what = std::move(what), index, count](std::string_view, double done) {
-      progress(what, fraction + share * (index + done) / count);
-    };
-  }
 };
+
+/// One figure: names its tasks first, writes when they are done. The tasks fill the figure, so it must not
+/// move.
+class PaperFigure {
+ public:
+  PaperFigure() = default;
+  PaperFigure(const PaperFigure&) = delete;
+  PaperFigure& operator=(const PaperFigure&) = delete;
+  virtual ~PaperFigure() = default;
+  virtual std::vector<PaperTask> tasks() = 0;
+  virtual void write(PaperContext& context) = 0;
+};
+
+std::unique_ptr<PaperFigure> make_figure_1();
+std::unique_ptr<PaperFigure> make_figure_4();
+std::unique_ptr<PaperFigure> make_figure_6();
+/// Figure 7 or 8: curvature against force of one fabric. @param stands_for the paper's bending characteristic
+std::unique_ptr<PaperFigure> make_force_figure(const std::string& number, const std::string& fabric_id,
+                                               const std::string& stands_for);
+/// Not in the paper: the laws driven through the measured nested cycles.
+std::unique_ptr<PaperFigure> make_measured_cycles();
 
 /// Seconds since construction.
 class Stopwatch {
@@ -56,12 +78,12 @@ class Stopwatch {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-/// printf into a string, for tables.
+/// printf of one number into a string, for tables.
 std::string text_of(const char* format, double value);
 
-void add_figure_1(PaperContext& context);
-void add_figure_4(PaperContext& context);
-void add_figure_6(PaperContext& context);
-void add_figures_7_and_8(PaperContext& context, bool seven, bool eight);
+/// "as printed", "corrected".
+constexpr const char* mode_name(PaperMode mode) {
+  return mode == PaperMode::kAsPrinted ? "as printed" : "corrected";
+}
 
 }  // namespace fuai

@@ -13,7 +13,8 @@ namespace fuai {
 
 /// Which figures to make.
 struct PaperPageOptions {
-  int figure = 0;  ///< 0: all; else 1, 4, 6, 7 or 8
+  int figure = 0;   ///< 0: all; else 1, 4, 6, 7 or 8
+  int threads = 0;  ///< 0: as many as the machine has cores; the results do not depend on it
 };
 
 /// One line of the summary that the command prints and --json carries.

@@ -18,13 +18,14 @@ ClothPicture paper_drape_picture(SurfaceMesh mesh, const std::string& caption, d
   for (const Vec3& p : mesh.positions) bounds.include(p);
   // The block of 5 x 5 fixed particles lies on the table's corner; the top is a cloth's thickness lower.
   BoxItem table;
-  table.low = Vec3(-0.05, -0.05, -0.26);
+  table.low = Vec3(-0.03, -0.03, -0.22);
   table.high = Vec3(0.04, 0.04, -0.0015);
   picture.boxes.push_back(table);
-  bounds.include(Vec3(-0.01, -0.01, -0.21));  // the same frame for every fabric
-  bounds.include(Vec3(0.16, 0.16, 0.01));
-  picture.ground.height = -0.26;
-  picture.camera = frame_camera(bounds, 38.0 * kRadPerDegree, 22.0 * kRadPerDegree, aspect);
+  bounds = Bounds();  // the same frame for every fabric: the corner, and cloth up to its own length below
+  bounds.include(Vec3(0.02, 0.02, -0.19));
+  bounds.include(Vec3(0.10, 0.10, 0.0));
+  picture.ground.height = -0.22;
+  picture.camera = frame_camera(bounds, 30.0 * kRadPerDegree, 18.0 * kRadPerDegree, aspect);
   picture.caption = caption;
   ClothItem cloth;
   cloth.mesh = std::move(mesh);
