@@ -42,7 +42,8 @@ def source_words():
 def test_cases():
     names = set()
     for path in files_below("tests", ".cpp"):
-        names.update(re.findall(r'TEST_CASE\(\s*"((?:[^"\\]|\\.)*)"', path.read_text()))
+        for literals in re.findall(r'TEST_CASE\(\s*((?:"(?:[^"\\]|\\.)*"\s*)+)', path.read_text()):
+            names.add("".join(re.findall(r'"((?:[^"\\]|\\.)*)"', literals)))  # C++ joins neighbours
     return names
 
 

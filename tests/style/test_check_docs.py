@@ -7,9 +7,9 @@ import tempfile
 CLEAN = {
     "README.md": "# Top\n[map](docs/paper-map.md#the-map) [web](https://example.org/none) `src/fuai/core/a.h` `core/a.*`\n"
                  "`fuai paper --out out/none.html` `/tmp/none.md` `stretch()` `a_b`\n```\n[none](none.md) `no/such.h`\n```\n",
-    "docs/paper-map.md": '# The map\n| `stretch` | `core/a.h` | "springs pull" | `fuai paper --figure 4` |\n',
+    "docs/paper-map.md": '# The map\n| `stretch` | `core/a.h` | "springs pull back" | `fuai paper --figure 4` |\n',
     "src/fuai/core/a.h": "double stretch(double x);\n",
-    "tests/core/test_a.cpp": 'TEST_CASE(\n      "springs pull") {}\n',
+    "tests/core/test_a.cpp": 'TEST_CASE(\n      "springs pull "\n      "back") {}\n',
     "apps/main.cpp": 'app.add_subcommand("paper", "x"); app.add_option("-f,--figure", x);\n',
 }
 
