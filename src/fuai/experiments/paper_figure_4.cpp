@@ -82,15 +82,20 @@ HtmlTable drape_table(const std::vector<Drape>& drapes) {
   return table;
 }
 
-void add_gallery(PaperContext& context, const std::vector<Drape>& drapes, const std::string& caption) {
+/// One picture a drape, and all of them in one file for other pages.
+void add_gallery(PaperContext& context, const std::vector<Drape>& drapes, const std::string& sheet,
+                 const std::string& caption) {
   std::vector<std::pair<std::string, std::string>> pictures;
+  std::vector<Image> images;
   for (const Drape& d : drapes) {
     const std::string file = "figure4-" + d.id + (d.mode == PaperMode::kAsPrinted ? "-printed" : "") + ".png";
-    context.add_picture(
-        file, paper_drape_picture(d.mesh, d.name + ", " + mode_name(d.mode), kWidth / double{kHeight}),
-        kWidth, kHeight);
-    pictures.emplace_back(file, d.name + " (" + mode_name(d.mode) + ")");
+    const std::string label = d.name + ", " + mode_name(d.mode);
+    images.push_back(context.renderer.render(paper_drape_picture(d.mesh, label, kWidth / double{kHeight}),
+                                             kWidth, kHeight));
+    context.add_file(file, encode_png(images.back()));
+    pictures.emplace_back(file, label);
   }
+  context.add_file(sheet, encode_png(tile_images(images, 4)));
   context.page.gallery(pictures, caption);
 }
 
@@ -128,13 +133,13 @@ class Figure4 : public PaperFigure {
         "were never published. The graded family stands for them: the 5, 25, 50 and 75 % quantiles of the "
         "bending stiffness of "
         "121 real fabrics, all four with the same weight.");
-    add_gallery(context, graded_,
+    add_gallery(context, graded_, "figure4.png",
                 "Corrected: full gradients, the law with memory, area weights; at rest. The lines stand for "
                 "warp and weft "
                 "threads, one every centimetre.");
-    add_gallery(context, measured_,
+    add_gallery(context, measured_, "figure4-measured.png",
                 "The same experiment with the fabrics that were really measured, corrected.");
-    add_gallery(context, printed_,
+    add_gallery(context, printed_, "figure4-printed.png",
                 "As printed, after " + std::to_string(kPrintedSteps) +
                     " steps. It never comes to rest: bending forces act on the ends of each three particles "
                     "only, so flat cloth "

@@ -58,11 +58,23 @@ Series series_of(const std::string& label, int colour, SeriesStyle style, std::v
   return series;
 }
 
+/// The part of the reaction that pushes the hand back along the arc, towards flat; negative when the cloth
+/// pulls it on [N]. On the arc x = sin(K s) / K, z = (1 - cos(K s)) / K the hand moves along d(x, z) / dK.
+double push_back(const StripRun& run, const PaperBendingStage& stage) {
+  const double s = run.spacing * (run.columns - 2);  // two columns are clamped, the arc begins at the second
+  const double K = stage.arc_curvature, turn = K * s;
+  Vec3 onward = Vec3::UnitZ();
+  if (turn > 1e-6)
+    onward = Vec3(turn * std::cos(turn) - std::sin(turn), 0.0, turn * std::sin(turn) - 1.0 + std::cos(turn))
+                 .normalized();
+  return -onward.dot(stage.force.reaction);
+}
+
 Series stage_series(const StripRun& run, const std::string& label, int colour, SeriesStyle style) {
   std::vector<double> x, y;
   for (const PaperBendingStage& stage : run.stages) {
     x.push_back(stage.arc_curvature / unit::kPerCentimetre);
-    y.push_back(stage.force.reaction.norm() / unit::kGramForce);
+    y.push_back(push_back(run, stage) / unit::kGramForce);
   }
   Series series = series_of(label, colour, style, std::move(x), std::move(y));
   series.arrows = style != SeriesStyle::kPoints;
@@ -115,7 +127,11 @@ class ForceFigure : public PaperFigure {
          "(a) suggests, and "
          "the curvature at the held particle is not that of the arc.",
          "The paper's curve starts at 2HB/2 for flat cloth, a force out of nothing; with memory it starts at "
-         "zero."});
+         "zero.",
+         "Weak: the springs of the plain descent are soft (10 gf/cm). With 2 gf/cm the reaction of the wool "
+         "is 24 % lower at "
+         "0.04 1/cm and 2 % higher at a half turn; only a held patch of fixed size and real thread stiffness "
+         "will settle it."});
   }
 
  private:
@@ -128,7 +144,7 @@ class ForceFigure : public PaperFigure {
     a.title = "(a) imposed cylinder, force at the end particle";
     a.x_label = "curvature [1/cm]";
     a.y_label = "force [gf]";
-    a.series = {series_of("rising branch of the law, times 1 cm / 1 cm", 6, SeriesStyle::kDashed,
+    a.series = {series_of("rising branch of the law, gf·cm/cm read as gf", 6, SeriesStyle::kDashed,
                           cylinder_.curvature, cylinder_.branch),
                 series_of("Eq. (7), bending term, as printed", 3, SeriesStyle::kPoints, cylinder_.curvature,
                           cylinder_.printed),
@@ -139,7 +155,7 @@ class ForceFigure : public PaperFigure {
     Plot& c = grid.plots[2];
     c.title = "(c) strip held at one particle, corrected";
     c.x_label = "curvature of the arc [1/cm]";
-    c.y_label = "true reaction [gf]";
+    c.y_label = "reaction that pushes back [gf]";
     c.series = {stage_series(corrected_, "there and back", 4, SeriesStyle::kLineAndPoints)};
     Plot& d = grid.plots[3];
     d.title = "(d) the same as printed, not at rest";
@@ -158,6 +174,7 @@ class ForceFigure : public PaperFigure {
                     "Eq. (7) bending [gf]",
                     "Eq. (7) springs [gf]",
                     "true reaction [gf]",
+                    "largest stretch [%]",
                     "residual [node weights]"};
     for (const StripRun* run : {&corrected_, &printed_}) {
       for (const PaperBendingStage& s : run->stages) {
@@ -167,6 +184,8 @@ class ForceFigure : public PaperFigure {
                               text_of("%.5f", s.force.printed_bending.norm() / unit::kGramForce),
                               text_of("%.5f", s.force.printed_stretch.norm() / unit::kGramForce),
                               text_of("%.5f", s.force.reaction.norm() / unit::kGramForce),
+                              text_of("%.5f", push_back(*run, s) / unit::kGramForce),
+                              text_of("%.2f", s.relaxation.max_stretch / unit::kPercent),
                               text_of("%.2g", s.relaxation.residual)});
       }
     }

@@ -61,12 +61,16 @@ class MeasuredCyclesSection : public PaperFigure {
     page.figure("measured-cycles.png", "Points measured, lines the law.",
                 "nested cycles, measured and predicted");
     context.add_table("measured-cycles.csv", cycle_table(all_));
-    page.list({"Right: virgin loading, last recovery and the closing of the small loops; every cycle of the knit.",
-               "Wrong: in the small cycles of the woven cupro the law loses too much. Friction in tension grows with the load of "
-               "the cycle; the law's friction depends on strain only.",
-               "Wrong: a strip that has been stretched starts its next cycle a little longer; the law has no lasting elongation.",
-               "Wrong: a bias strip reloads along a softer curve than the virgin one, and its angle creeps on while the load "
-               "already falls; the law climbs back too early and loses too much."});
+    page.list(
+        {"Right: virgin loading, last recovery and the closing of the small loops; every cycle of the knit.",
+         "Wrong: in the small cycles of the woven cupro the law loses too much. Friction in tension grows "
+         "with the load of "
+         "the cycle; the law's friction depends on strain only.",
+         "Wrong: a strip that has been stretched starts its next cycle a little longer; the law has no "
+         "lasting elongation.",
+         "Wrong: a bias strip reloads along a softer curve than the virgin one, and its angle creeps on "
+         "while the load "
+         "already falls; the law climbs back too early and loses too much."});
   }
 
  private:

@@ -11,7 +11,7 @@ namespace fuai {
 namespace {
 
 /// The printed form never comes to rest: each stage stops here.
-constexpr std::int64_t kPrintedSteps = 20'000;
+constexpr std::int64_t kPrintedSteps = 20'000, kMostSteps = 5'000'000;
 
 }  // namespace
 
@@ -23,6 +23,7 @@ StripRun run_strip(const std::string& fabric_id, PaperMode mode, std::span<const
   run.mode = mode;
   PaperBendingOptions options;
   options.relaxation.mode = mode;
+  if (mode == PaperMode::kCorrected) options.stop.max_steps = kMostSteps;
   if (mode == PaperMode::kAsPrinted) options.stop.max_steps = kPrintedSteps;
   PaperBending scene = make_paper_bending(run.laws, options);
   run.spacing = options.spacing;

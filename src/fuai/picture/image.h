@@ -28,6 +28,10 @@ struct Image {
 /// Throws Error kUsage unless both sides are between 16 and 16384 pixels. Thread class: any.
 void check_image_size(int width, int height);
 
+/// Images of equal size in rows of `columns`, white where the last row is short. Throws Error kUsage when
+/// there is none, or sizes differ. Thread class: any.
+Image tile_images(const std::vector<Image>& images, int columns);
+
 /// The bytes of a PNG file. Throws Error kNoDevice when built without pictures. Thread class: set-up.
 std::string encode_png(const Image& image);
 
