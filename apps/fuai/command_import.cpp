@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "commands.h"
+#include "fabric_text.h"
 #include "fuai/core/error.h"
 #include "fuai/fabric/fab_report.h"
 #include "fuai/fabric/from_curves.h"
@@ -23,6 +25,20 @@ using namespace fuai;
 
 /// What a file to import is, by its name and first bytes.
 enum class FileKind { kPhysicsJson, kFabricFile, kCurve, kSheet };
+
+const char* to_string(FileKind kind) {
+  switch (kind) {
+    case FileKind::kPhysicsJson:
+      return "U3M/FAB physics JSON";
+    case FileKind::kFabricFile:
+      return "a fabric file";
+    case FileKind::kCurve:
+      return "a curve file";
+    case FileKind::kSheet:
+      return "a KES sheet";
+  }
+  return "";
+}
 
 FileKind kind_of(const std::string& path, const std::string& text, bool told_to_be_curve) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
@@ -59,7 +75,7 @@ CurveCsvOptions curve_options(const ImportOptions& options) {
 /// The fabric of a set of curve files: mass and thickness come from the options.
 Fabric fabric_of_curves(const ImportOptions& options) {
   Fabric fabric;
-  fabric.name = std::filesystem::path(options.output).stem().stem().string();
+  fabric.name = fabric_id_of(options.output);
   if (options.mass.empty()) {
     throw Error(ErrorKind::kUsage, "curve files do not say what the fabric weighs", {},
                 "add --mass, e.g. --mass '16.3 mg/cm2'");
@@ -72,38 +88,36 @@ Fabric fabric_of_curves(const ImportOptions& options) {
   return fabric;
 }
 
+/// A value given as an option; one that no cloth can have is wrong usage.
+double positive_value(const std::string& text, Dimension dimension, const char* option) {
+  const double value = parse_value(text, dimension, option);
+  if (value > 0.0) return value;
+  throw Error(ErrorKind::kUsage, std::string(option) + ": '" + text + "' is not above zero", {},
+              "give what was measured, or leave the option out");
+}
+
 void apply_overrides(Fabric& fabric, const ImportOptions& options) {
   if (!options.name.empty()) fabric.name = options.name;
   const Provenance given{ProvenanceKind::kMeasured, "given to the importer by hand", ""};
-  if (!options.mass.empty()) fabric.areal_mass = {parse_value(options.mass, kArealMass, "--mass"), given};
+  if (!options.mass.empty()) fabric.areal_mass = {positive_value(options.mass, kArealMass, "--mass"), given};
   if (!options.thickness.empty())
-    fabric.thickness = {parse_value(options.thickness, kLength, "--thickness"), given};
+    fabric.thickness = {positive_value(options.thickness, kLength, "--thickness"), given};
 }
 
 /// What was taken over, with each residual and assumption of the laws that follow from it.
-void print_summary(const Console& console, Fabric& fabric, JsonValue& json) {
+void print_summary(const Console& console, Fabric& fabric, const FabricLaws& laws, JsonValue& json) {
   JsonValue numbers{JsonValue::Object{}}, laws_json{JsonValue::Object{}}, warnings{JsonValue::Array{}};
   for (const FabricField& field : fabric_fields(fabric)) {
     if (!field.value->has_value()) continue;
     const Provenance& p = field.value->provenance;
     const double number = field.value->value / field.to_si;
-    console.line("  " + field.path() + " = " + format_number(number) + " " + field.unit + "  (" +
-                 to_string(p.kind) + (p.quality.empty() ? "" : "; " + p.quality) + ")");
+    print_wrapped(console, "  " + field.path() + " = " + format_number(number) + " " + field.unit + "  ",
+                  "(" + std::string(to_string(p.kind)) + (p.quality.empty() ? "" : "; " + p.quality) + ")",
+                  4);
     numbers.set(field.path(), number);
   }
-  const FabricLaws laws = make_fabric_laws(fabric);
-  for (const LawReport& report : laws.reports) {
-    console.line("  law " + report.law + ": " + report.origin + ", rms residual " +
-                 format_number(100.0 * report.rms_residual_fraction) + " % of the peak");
-    JsonValue entry, assumptions{JsonValue::Array{}};
-    for (const std::string& assumption : report.assumptions) {
-      console.line("    assumed: " + assumption);
-      assumptions.push(assumption);
-    }
-    entry.set("origin", report.origin).set("rms_residual_percent", 100.0 * report.rms_residual_fraction);
-    entry.set("assumptions", std::move(assumptions));
-    laws_json.set(report.law, std::move(entry));
-  }
+  console.line("Laws");
+  print_laws(console, laws, laws_json);
   for (const std::string& warning : fabric.warnings) {
     console.warn(warning);
     warnings.push(warning);
@@ -112,20 +126,14 @@ void print_summary(const Console& console, Fabric& fabric, JsonValue& json) {
   json.set("warnings", std::move(warnings));
 }
 
-void print_fab_report(const Console& console, const FabFitReport& report, JsonValue& json) {
-  JsonValue lines{JsonValue::Array{}};
-  for (const std::string& line : describe(report)) {
-    console.line("  " + line);
-    lines.push(line);
-  }
-  json.set("fits", std::move(lines));
-}
-
 /// All fabrics of the named files; exactly one unless there is one sheet.
-std::vector<Fabric> read_all(const Console& console, const ImportOptions& options, JsonValue& json) {
+/// @param fits filled with a line about each fit of a physics file
+std::vector<Fabric> read_all(const Console& console, const ImportOptions& options,
+                             std::vector<std::string>& fits) {
   const bool told = !options.test.empty();
   const std::string& first = options.files.front();
   const FileKind kind = kind_of(first, read_text_file(first), told);
+  console.detail("reading " + first + " as " + to_string(kind));
   if (kind == FileKind::kCurve) return {fabric_of_curves(options)};
   if (options.files.size() > 1) {
     throw Error(ErrorKind::kUsage, "several files make one fabric only when all of them are curve files", {},
@@ -135,7 +143,7 @@ std::vector<Fabric> read_all(const Console& console, const ImportOptions& option
   if (kind == FileKind::kSheet) return read_kes_sheet(first);
   FabFitReport report;
   Fabric fabric = make_fabric_from_fab(read_u3m_physics(first), &report);
-  print_fab_report(console, report, json);
+  fits = describe(report);
   return {std::move(fabric)};
 }
 
@@ -154,33 +162,104 @@ std::string file_stem(const std::string& name) {
   return stem.empty() ? "fabric" : stem;
 }
 
-}  // namespace
+/// A fabric with the place it goes to.
+struct Target {
+  Fabric fabric;
+  std::string path;
+};
 
-int run_import(const Console& console, const ImportOptions& options) {
-  JsonValue json, list{JsonValue::Array{}};
-  std::vector<Fabric> fabrics = read_all(console, options, json);
-  const bool into_folder = options.output.ends_with('/') || std::filesystem::is_directory(options.output);
+/// Where each fabric goes; a name that was given twice gets a number.
+std::vector<Target> targets_of(std::vector<Fabric> fabrics, const ImportOptions& options) {
+  namespace fs = std::filesystem;
+  std::error_code code;
+  const bool into_folder = options.output.ends_with('/') || fs::is_directory(options.output, code);
   if (fabrics.size() > 1 && !into_folder) {
     throw Error(ErrorKind::kUsage,
                 "the sheet holds " + std::to_string(fabrics.size()) + " fabrics, -o names one file", {},
                 "give a folder: -o fabrics/");
   }
-  if (into_folder) std::filesystem::create_directories(options.output);
+  std::vector<Target> targets;
+  std::set<std::string> taken;
   for (Fabric& fabric : fabrics) {
     apply_overrides(fabric, options);
-    const std::string path =
-        into_folder
-            ? (std::filesystem::path(options.output) / (file_stem(fabric.name) + ".fabric.toml")).string()
-            : options.output;
+    std::string path = options.output;
+    if (into_folder) {
+      const std::string first = file_stem(fabric.name);
+      std::string stem = first;
+      for (int count = 2; !taken.insert(stem).second; ++count) stem = first + "-" + std::to_string(count);
+      path = (fs::path(options.output) / (stem + ".fabric.toml")).string();
+    }
     fabric.id = fabric_id_of(path);
-    console.line(fabric.name);
+    targets.push_back({std::move(fabric), std::move(path)});
+  }
+  return targets;
+}
+
+/// Measurements are never replaced by what was made of them.
+void check_inputs_survive(const Target& target, const std::vector<std::string>& inputs) {
+  for (const std::string& path : fabric_file_paths(target.path, target.fabric)) {
+    for (const std::string& input : inputs) {
+      std::error_code code;
+      if (!std::filesystem::equivalent(path, input, code)) continue;
+      throw Error(ErrorKind::kUsage, "this would replace the input file '" + input + "'", {path, 0, 0, ""},
+                  "give another -o: another folder or another name");
+    }
+  }
+}
+
+/// The laws, with the input file named when they cannot be made.
+FabricLaws laws_of(const Fabric& fabric, const ImportOptions& options) {
+  try {
+    return make_fabric_laws(fabric);
+  } catch (const Error& e) {
+    if (!e.where().file.empty()) throw;
+    throw Error(e.kind(), e.problem(),
+                {options.files.front(), e.where().line, e.where().column, e.where().key}, e.cure());
+  }
+}
+
+void make_folder(const std::string& folder) {
+  std::error_code code;
+  std::filesystem::create_directories(folder, code);
+  if (code) {
+    throw Error(ErrorKind::kBadInput, "cannot make the folder: " + code.message(), {folder, 0, 0, ""},
+                "name another folder with -o");
+  }
+}
+
+}  // namespace
+
+int run_import(const Console& console, const ImportOptions& options) {
+  // 1. Everything that can be wrong with the measurements, before anything is written.
+  std::vector<std::string> fits;
+  std::vector<Target> targets = targets_of(read_all(console, options, fits), options);
+  std::vector<FabricLaws> laws;
+  for (const Target& target : targets) {
+    check_inputs_survive(target, options.files);
+    laws.push_back(laws_of(target.fabric, options));
+  }
+
+  // 2. The files.
+  if (options.output.ends_with('/')) make_folder(options.output);
+  for (const Target& target : targets) {
+    write_fabric_file(target.path, target.fabric);
+    console.say("wrote " + target.path);
+  }
+
+  // 3. What was taken over.
+  JsonValue json, list{JsonValue::Array{}}, fit_lines{JsonValue::Array{}};
+  for (const std::string& line : fits) {
+    print_wrapped(console, "  ", line, 4);
+    fit_lines.push(line);
+  }
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    console.line(targets[i].fabric.name);
     JsonValue entry;
-    print_summary(console, fabric, entry);
-    write_fabric_file(path, fabric);
-    console.say("wrote " + path);
-    entry.set("file", path);
+    print_summary(console, targets[i].fabric, laws[i], entry);
+    entry.set("file", targets[i].path);
     list.push(std::move(entry));
   }
+  if (!fits.empty()) json.set("fits", std::move(fit_lines));
   json.set("fabrics", std::move(list));
   console.result(json);
   return 0;

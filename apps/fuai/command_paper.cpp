@@ -38,11 +38,14 @@ int run_paper(const Console& console, const PaperOptions& options) {
     throw Error(ErrorKind::kBadInput, "cannot make the folder: " + code.message(), {options.out, 0, 0, ""},
                 "name another folder with --out");
   }
+  const std::string index = (std::filesystem::path(options.out) / "index.html").string();
+  check_can_write(index);  // before the long run
   console.say("remaking the paper's figures; some minutes");
   const PaperPage page = make_paper_page({options.figure, console.options().threads}, console.progress());
-  for (const OutputFile& file : page.files) {
-    write_atomically((std::filesystem::path(options.out) / file.name).string(), file.bytes);
-  }
+  std::vector<NamedText> files;
+  for (const OutputFile& file : page.files)
+    files.push_back({(std::filesystem::path(options.out) / file.name).string(), file.bytes});
+  write_together(files);
   JsonValue json, runs{JsonValue::Array{}};
   bool all_at_rest = true;
   for (const PaperSummaryRow& run : page.runs) {
@@ -50,7 +53,6 @@ int run_paper(const Console& console, const PaperOptions& options) {
     runs.push(run_json(run));
     all_at_rest = all_at_rest && (run.converged || run.mode == "as printed");
   }
-  const std::string index = (std::filesystem::path(options.out) / "index.html").string();
   console.line("wrote " + index + " and " + std::to_string(page.files.size() - 1) +
                " pictures and tables beside it");
   json.set("index", index)

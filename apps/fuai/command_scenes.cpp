@@ -14,11 +14,8 @@
 #include "fuai/units/parse.h"
 
 namespace fuai_app {
-namespace {
 
 using namespace fuai;
-
-}  // namespace
 
 int run_scenes(const Console& console) {
   JsonValue list{JsonValue::Array{}};
@@ -44,6 +41,8 @@ int run_render(const Console& console, const RenderOptions& options) {
   }
   const PaperMode mode = options.as_printed ? PaperMode::kAsPrinted : PaperMode::kCorrected;
   const Fabric fabric = load_fabric(options.fabric);
+  for (const std::string& warning : fabric.warnings) console.warn(warning);
+  check_can_write(options.output);
   OffscreenRenderer renderer =
       make_offscreen_renderer();  // before the long run: a missing driver shows at once
   SceneMoment moment = run_scene(options.scene, make_fabric_laws(fabric), mode, seconds, console.progress());

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <functional>
+#include <memory>
 
 #include "commands.h"
 #include "fuai/core/error.h"
+#include "fuai/io/nearest_name.h"
 
 namespace fuai_app {
 namespace {
@@ -31,12 +34,38 @@ int exit_code(fuai::ErrorKind kind) {
 struct Parsed {
   CommonOptions common;
   bool verbose = false, quiet = false;
-  ImportOptions import;
+  ImportOptions importing;
   ShowOptions show;
   PaperOptions paper;
   RenderOptions render;
   std::function<int(const Console&)> run;
 };
+
+void add_import_command(CLI::App& fabric, Parsed& parsed) {
+  CLI::App* command = fabric.add_subcommand(
+      "import", "Measurements in: U3M/FAB physics JSON, KES curve CSV, KES sheet -> fabric file");
+  command
+      ->add_option("FILE", parsed.importing.files,
+                   "Files of one fabric; one KES sheet may hold several fabrics")
+      ->required();
+  command
+      ->add_option("-o,--output", parsed.importing.output,
+                   "Fabric file to write; a folder for a sheet of several fabrics")
+      ->required();
+  command->add_option("--name", parsed.importing.name, "Name of the fabric, instead of the one in the file");
+  command->add_option("--mass", parsed.importing.mass,
+                      "Areal mass with unit, e.g. '16.3 mg/cm2'; needed with curve files alone");
+  command->add_option("--thickness", parsed.importing.thickness, "Thickness with unit, e.g. 0.4mm");
+  command->add_option("--test", parsed.importing.test,
+                      "Test of a curve file that does not say: bending, shear, tensile, compression");
+  command->add_option("--direction", parsed.importing.direction,
+                      "Direction of a curve file that does not say: warp, weft, bias");
+  command->footer(
+      "Examples:\n  fuai fabric import cupro.physics.json -o cupro.fabric.toml\n"
+      "  fuai fabric import bend-warp.csv bend-weft.csv --mass '16 mg/cm2' -o wool.fabric.toml\n"
+      "  fuai fabric import kes-sheet.csv -o fabrics/");
+  command->callback([&] { parsed.run = [&](const Console& c) { return run_import(c, parsed.importing); }; });
+}
 
 void add_fabric_commands(CLI::App& app, Parsed& parsed) {
   CLI::App* fabrics = app.add_subcommand("fabrics", "List the bundled fabrics, one line each");
@@ -45,42 +74,20 @@ void add_fabric_commands(CLI::App& app, Parsed& parsed) {
 
   CLI::App* fabric = app.add_subcommand("fabric", "Import or show one fabric");
   fabric->require_subcommand(1);
+  fabric->footer(
+      "Examples:\n  fuai fabric show wool-tropical\n"
+      "  fuai fabric import cupro.physics.json -o cupro.fabric.toml");
+  add_import_command(*fabric, parsed);
 
-  CLI::App* import = fabric->add_subcommand(
-      "import", "Measurements in: U3M/FAB physics JSON, KES curve CSV, KES sheet -> fabric file");
-  import
-      ->add_option("FILE", parsed.import.files, "Files of one fabric; one KES sheet may hold several fabrics")
-      ->required();
-  import
-      ->add_option("-o,--output", parsed.import.output,
-                   "Fabric file to write; a folder for a sheet of several fabrics")
-      ->required();
-  import->add_option("--name", parsed.import.name, "Name of the fabric, instead of the one in the file");
-  import->add_option("--mass", parsed.import.mass,
-                     "Areal mass with unit, e.g. '16.3 mg/cm2'; needed with curve files alone");
-  import->add_option("--thickness", parsed.import.thickness, "Thickness with unit, e.g. 0.4mm");
-  import->add_option("--test", parsed.import.test,
-                     "Test of a curve file that does not say: bending, shear, tensile, compression");
-  import->add_option("--direction", parsed.import.direction,
-                     "Direction of a curve file that does not say: warp, weft, bias");
-  import->footer(
-      "Examples:\n  fuai fabric import cupro.physics.json -o cupro.fabric.toml\n"
-      "  fuai fabric import wool.bending.warp.csv wool.bending.weft.csv --mass '16 mg/cm2' -o "
-      "wool.fabric.toml\n"
-      "  fuai fabric import kes-sheet.csv -o fabrics/");
-  import->callback([&] { parsed.run = [&](const Console& c) { return run_import(c, parsed.import);
-};
-}  // namespace
-);
-
-CLI::App* show = fabric->add_subcommand("show", "Every parameter in KES units and SI with its provenance");
-show->add_option("FABRIC", parsed.show.fabric, "Bundled name or path of a fabric file")->required();
-show->add_option("--plot", parsed.show.plot,
-                 "Draw measured points and fitted loops into FILE.png or FILE.svg");
-show->footer(
-    "Examples:\n  fuai fabric show wool-tropical\n  fuai fabric show cupro-woven-su1098 --plot cupro.svg");
-show->callback([&] { parsed.run = [&](const Console& c) { return run_show(c, parsed.show); }; });
-}  // namespace fuai_app
+  CLI::App* show = fabric->add_subcommand("show", "Every parameter in KES units and SI with its provenance");
+  show->add_option("FABRIC", parsed.show.fabric, "Bundled name or path of a fabric file")->required();
+  show->add_option("--plot", parsed.show.plot,
+                   "Draw measured points and fitted loops into FILE.png or FILE.svg");
+  show->footer(
+      "Examples:\n  fuai fabric show wool-tropical\n"
+      "  fuai fabric show cupro-woven-su1098 --plot cupro.svg");
+  show->callback([&] { parsed.run = [&](const Console& c) { return run_show(c, parsed.show); }; });
+}
 
 void add_scene_commands(CLI::App& app, Parsed& parsed) {
   CLI::App* paper =
@@ -92,6 +99,7 @@ void add_scene_commands(CLI::App& app, Parsed& parsed) {
   paper->callback([&] { parsed.run = [&](const Console& c) { return run_paper(c, parsed.paper); }; });
 
   CLI::App* scenes = app.add_subcommand("scenes", "List the scenes, one line each");
+  scenes->footer("Examples:\n  fuai scenes\n  fuai --json scenes");
   scenes->callback([&] { parsed.run = run_scenes; });
 
   CLI::App* render = app.add_subcommand("render", "A picture of a scene, without a display");
@@ -116,6 +124,28 @@ void add_scene_commands(CLI::App& app, Parsed& parsed) {
   render->callback([&] { parsed.run = [&](const Console& c) { return run_render(c, parsed.render); }; });
 }
 
+/// Reads --config as CLI11 does, without the options that an environment variable states: CLI11 itself would
+/// let the file win.
+class FileBelowEnvironment : public CLI::ConfigTOML {
+ public:
+  explicit FileBelowEnvironment(const CLI::App& app) : app_(app) {}
+
+  std::vector<CLI::ConfigItem> from_config(std::istream& input) const override {
+    std::vector<CLI::ConfigItem> found = CLI::ConfigTOML::from_config(input);
+    std::erase_if(found, [&](const CLI::ConfigItem& item) {
+      if (!item.parents.empty()) return false;
+      const CLI::Option* option = app_.get_option_no_throw("--" + item.name);
+      const char* stated =
+          option && !option->get_envname().empty() ? std::getenv(option->get_envname().c_str()) : nullptr;
+      return stated && *stated;
+    });
+    return found;
+  }
+
+ private:
+  const CLI::App& app_;
+};
+
 void add_common_options(CLI::App& app, Parsed& parsed) {
   app.set_version_flag("--version", std::string("fuai ") + FUAI_VERSION);
   app.add_flag("--json", parsed.common.json, "One JSON object on standard output, nothing else there")
@@ -130,12 +160,73 @@ void add_common_options(CLI::App& app, Parsed& parsed) {
       ->check(CLI::Range(0, 256))
       ->capture_default_str();
   app.set_config("--config", "", "Options from a TOML file; flags go over environment over file");
+  app.config_formatter(std::make_shared<FileBelowEnvironment>(app));
+  app.allow_config_extras(CLI::config_extras_mode::error);
   app.require_subcommand(1);
   app.fallthrough();
   app.footer(
+      "Examples:\n  fuai fabrics\n  fuai fabric show wool-tropical\n"
+      "  fuai render paper_drape --fabric wool-tropical -o drape.png\n"
+      "  fuai COMMAND --help\n\n"
       "A FABRIC is a bundled name (`fuai fabrics`) or the path of a fabric file. Values take units: 18cm, "
       "20gf, 1ms.\n"
       "Exit codes: 0 done, 1 a check failed, 2 wrong usage, 3 bad input, 4 no device or display.");
+}
+
+/// The innermost command that was named.
+const CLI::App& innermost(const CLI::App& app) {
+  const std::vector<CLI::App*> named = app.get_subcommands();
+  return named.empty() ? app : innermost(*named.front());
+}
+
+std::string full_name(const CLI::App& app) {
+  return app.get_parent() ? full_name(*app.get_parent()) + " " + app.get_name() : app.get_name();
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
+/// "; did you mean --time?" or nothing.
+std::string suggestion(const std::string& word, const std::vector<std::string>& names) {
+  const std::vector<std::string> nearest = fuai::nearest_names(word, names);
+  return nearest.empty() ? "" : "; did you mean '" + nearest.front() + "'?";
+}
+
+/// Says which word is no command, or prints the help when there is no word at all. False when the command is
+/// complete and something else is missing.
+bool explain_command(const CLI::App& app) {
+  const CLI::App& at = innermost(app);
+  const std::vector<std::string> names = command_names(at);
+  if (names.empty()) return false;
+  const std::vector<std::string> words = app.remaining(true);
+  if (words.empty()) {
+    std::fputs(app.help().c_str(), stderr);
+    return true;
+  }
+  const bool is_option = words.front().starts_with('-');
+  std::fprintf(stderr, "fuai: `%s` has no %s '%s'%s\nThe commands are %s.\n", full_name(at).c_str(),
+               is_option ? "option" : "command", words.front().c_str(),
+               is_option ? "" : suggestion(words.front(), names).c_str(), fuai::either(names).c_str());
+  return true;
+}
+
+/// Says which words were too many, with the option that may have been meant.
+void explain_extras(const CLI::App& app) {
+  const CLI::App& at = innermost(app);
+  std::vector<std::string> options;
+  for (const CLI::App* level = &at; level; level = level->get_parent()) {
+    for (const CLI::Option* option : level->get_options()) {
+      for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+    }
+  }
+  const std::string word = app.remaining(true).front();
+  std::fprintf(stderr, "fuai: `%s` does not take '%s'%s\nRun `%s --help` for its options.\n",
+               full_name(at).c_str(), word.c_str(),
+               word.starts_with("--") ? suggestion(word, options).c_str() : "", full_name(at).c_str());
 }
 
 int parse_and_run(int argc, char** argv) {
@@ -149,12 +240,25 @@ int parse_and_run(int argc, char** argv) {
   } catch (const CLI::FileError& e) {
     std::fprintf(stderr, "fuai: %s\n", e.what());
     return kExitBadInput;
+  } catch (const CLI::ConfigError& e) {
+    std::fprintf(stderr, "fuai: --config: %s; `fuai --help` and `fuai COMMAND --help` list the options\n",
+                 e.what());
+    return kExitBadInput;
+  } catch (const CLI::RequiredError& e) {
+    if (explain_command(app)) return kExitUsage;
+    return app.exit(e), kExitUsage;
+  } catch (const CLI::ExtrasError&) {
+    explain_extras(app);
+    return kExitUsage;
   } catch (const CLI::ParseError& e) {
     // Help and version exit with 0; anything else is wrong usage.
     return app.exit(e) == 0 ? 0 : kExitUsage;
   }
   parsed.common.verbosity = parsed.quiet ? -1 : (parsed.verbose ? 1 : 0);
-  return parsed.run(Console(parsed.common));
+  const Console console(parsed.common);
+  console.detail("seed " + std::to_string(parsed.common.seed) + ", threads " +
+                 (parsed.common.threads == 0 ? "all" : std::to_string(parsed.common.threads)));
+  return parsed.run(console);
 }
 
 }  // namespace

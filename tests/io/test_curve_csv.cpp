@@ -171,7 +171,8 @@ TEST_SUITE("unit") {
     CHECK(contains(message_of(head + "1,0\n1,1\n1,2\n"), "the strain never changes"));
     CHECK(contains(message_of(head + "1,0\n2,0\n3,0\n"), "the stress is zero everywhere"));
     CHECK(contains(message_of(head + "0,0\n1,-1\n2,-2\n"), "a negative stiffness"));
-    CHECK(contains(message_with("1,0.08,load", "1e308,0.08,load"), "c.csv:4:1: the value is too large"));
+    CHECK(contains(message_with("1,0.08,load", "1e308,0.08,load"),
+                   "c.csv:4:1: curvature_per_cm: the value is too large"));
   }
 }
 
@@ -220,5 +221,19 @@ TEST_SUITE("property") {
     const MeasuredCurve curve = parse_curve_csv(kBending, "c.csv");
     write_curve_csv(folder / "out.csv", curve);
     CHECK(read_text_file(folder / "out.csv") == kBending);
+  }
+
+  TEST_CASE("branches that move against their names are reported, those that overrun zero are not") {
+    const std::string head =
+        "# fuai-curve/1 test=bending direction=warp\ncurvature_per_cm,moment_gf_cm_per_cm,branch\n";
+    const auto warnings = [&](const std::string& rows) {
+      return curve_warnings(parse_curve_csv(head + rows, "c.csv"));
+    };
+    const auto swapped = warnings("0,0,unload\n1,1,unload\n1,0.9,load\n0,-0.1,load\n");
+    REQUIRE(swapped.size() == 2);
+    CHECK(contains(swapped[0], "branch 1 is called unload but moves away from zero"));
+    CHECK(contains(swapped[1], "branch 2 is called load but moves towards zero"));
+    CHECK(warnings("-0.1,0,load\n1,1,load\n1,0.9,unload\n-0.2,-0.3,unload\n").empty());
+    CHECK(warnings("-1,-1,load\n1,1,load\n1,0.9,unload\n-1,-1,unload\n").empty());  // full swings
   }
 }

@@ -55,6 +55,16 @@ TEST_SUITE("unit") {
     CHECK(contains(message_of(folder.path()), "this is a directory"));
   }
 
+  TEST_CASE("names with numbers stand in the order of the numbers") {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "fabrics");
+    for (const char* id : {"graded-10", "graded-3", "graded-03", "graded", "a2b10", "a2b9", "a10b1"})
+      folder.write(std::string("fabrics/") + id + ".fabric.toml", kFabric);
+    const DataFolder data(folder.path());
+    CHECK(bundled_fabric_ids() ==
+          std::vector<std::string>{"a2b9", "a2b10", "a10b1", "graded", "graded-03", "graded-3", "graded-10"});
+  }
+
   TEST_CASE("the data folder: a wrong FUAI_DATA is an error, the source tree is the last resort") {
     const TemporaryFolder folder;
     {

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "fuai/io/text_file.h"
 #include "io/io_test_tools.h"
@@ -111,6 +112,29 @@ TEST_SUITE("unit") {
     CHECK(contains(message(folder.path()), "this is a directory"));
     CHECK(contains(message("/dev/null"), "not a regular file"));
     CHECK(contains(message(folder / std::string(300, 'x')), "cannot write into the folder"));
+    CHECK(contains(message(""), "is empty"));
     CHECK(folder.entry_count() == 0);
+  }
+
+  TEST_CASE("files written together: none is new when one of them cannot be written") {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "old");
+    const std::vector<NamedText> bad{{folder / "a.csv", "new"}, {folder / "none/b.csv", "new"}};
+    CHECK(contains(error_of([&] { write_together(bad); }).what(), "does not exist"));
+    CHECK(read_text_file(folder / "a.csv") == "old");
+    CHECK(folder.entry_count() == 1);
+    const std::vector<NamedText> good{{folder / "a.csv", "new"}, {folder / "b.csv", "second"}};
+    write_together(good);
+    CHECK(read_text_file(folder / "a.csv") == "new");
+    CHECK(read_text_file(folder / "b.csv") == "second");
+    CHECK(folder.entry_count() == 2);
+  }
+
+  TEST_CASE("a place is examined before a long computation, and nothing is written") {
+    const TemporaryFolder folder;
+    check_can_write(folder / "out.png");
+    CHECK(folder.entry_count() == 0);
+    CHECK(contains(error_of([&] { check_can_write(folder.path()); }).what(), "this is a directory"));
+    CHECK(contains(error_of([&] { check_can_write(folder / "no/out.png"); }).what(), "does not exist"));
   }
 }

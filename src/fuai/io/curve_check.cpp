@@ -1,4 +1,4 @@
-// Looks for branches of a measured curve that cross.
+// Looks for branches of a measured curve that cross or move against their names.
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
@@ -49,10 +49,25 @@ std::optional<double> crossed_fraction(const CurveBranch& out, const CurveBranch
   return static_cast<double>(crossed) / kProbes;
 }
 
+/// Whether a branch moves against its name: a load that ends nearer to zero strain than it began, an unload
+/// that ends farther, by more than half of the strain it covers (a branch may overrun zero a little).
+bool moves_against_its_name(const CurveBranch& branch) {
+  const double begin = branch.samples.front().strain, end = branch.samples.back().strain;
+  const double outwards = std::abs(end) - std::abs(begin);
+  return (branch.kind == Branch::kLoad ? -outwards : outwards) > 0.5 * std::abs(end - begin);
+}
+
 }  // namespace
 
 std::vector<std::string> curve_warnings(const MeasuredCurve& curve) {
   std::vector<std::string> warnings;
+  for (std::size_t i = 0; i < curve.branches.size(); ++i) {
+    if (!moves_against_its_name(curve.branches[i])) continue;
+    const bool load = curve.branches[i].kind == Branch::kLoad;
+    warnings.push_back(curve.source + ": branch " + std::to_string(i + 1) + " is called " +
+                       (load ? "load but moves towards" : "unload but moves away from") +
+                       " zero strain; check whether load and unload are swapped");
+  }
   for (std::size_t i = 0; i + 1 < curve.branches.size(); ++i) {
     if (curve.branches[i].kind != Branch::kLoad) continue;
     const std::optional<double> fraction = crossed_fraction(curve.branches[i], curve.branches[i + 1]);

@@ -223,9 +223,13 @@ Recording read_samples(const DelimitedText& table, std::size_t header, const Col
     recording.samples.push_back(
         {cell_number(table, row[columns.strain], columns.strain_name) * columns.strain_to_si,
          cell_number(table, row[columns.stress], columns.stress_name) * columns.stress_to_si});
-    if (!std::isfinite(recording.samples.back().strain) || !std::isfinite(recording.samples.back().stress)) {
-      throw Error(ErrorKind::kBadInput, "the value is too large", table.where(row[columns.strain], ""),
-                  "correct it");
+    const CurveSample& sample = recording.samples.back();
+    if (const bool strain_is_bad = !std::isfinite(sample.strain);
+        strain_is_bad || !std::isfinite(sample.stress)) {
+      const std::size_t column = strain_is_bad ? columns.strain : columns.stress;
+      throw Error(ErrorKind::kBadInput, "the value is too large",
+                  table.where(row[column], strain_is_bad ? columns.strain_name : columns.stress_name),
+                  "correct it, or remove the sample");
     }
     if (columns.branch) recording.kinds.push_back(read_branch(table, row[*columns.branch]));
     recording.lines.push_back(row[0].line);

@@ -51,7 +51,8 @@ void write_curve_csv(const std::string& path, const MeasuredCurve& curve);
 
 /// What looks wrong in a curve although it can be read, in plain sentences: branches that cross, that is an
 /// unloading branch above the loading branch before it over more than half of their common strains (the cloth
-/// would give back more work than was done on it). Thread class: set-up.
+/// would give back more work than was done on it), and branches that move against their names (a load
+/// towards zero strain, an unload away from it). Thread class: set-up.
 std::vector<std::string> curve_warnings(const MeasuredCurve& curve);
 
 }  // namespace fuai

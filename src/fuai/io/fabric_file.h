@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "fuai/fabric/fabric.h"
 
@@ -40,8 +41,11 @@ Fabric parse_fabric(std::string_view text, const std::string& name, const std::s
 /// set-up.
 std::string format_fabric(const Fabric& fabric, const std::string& stem = {});
 
-/// Writes the file and its curve files, each whole or not at all, the fabric file last.
-/// @throws Error (kBadInput), see format_fabric() and write_atomically(). Thread class: set-up.
+/// The files that write_fabric_file() writes: the curve files, then the fabric file. Thread class: set-up.
+std::vector<std::string> fabric_file_paths(const std::string& path, const Fabric& fabric);
+
+/// Writes the file and its curve files together, the fabric file last.
+/// @throws Error (kBadInput), see format_fabric() and write_together(). Thread class: set-up.
 void write_fabric_file(const std::string& path, const Fabric& fabric);
 
 /// "wool" of "data/wool.fabric.toml": file name without folder, ".toml" and ".fabric". Thread class: any.

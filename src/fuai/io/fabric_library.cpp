@@ -22,6 +22,32 @@ bool is_folder(const fs::path& path) {
   return fs::is_directory(path, code);
 }
 
+/// Letters as letters, runs of digits as numbers: graded-3 before graded-10.
+bool natural_less(const std::string& a, const std::string& b) {
+  const auto digits = [](const std::string& text, std::size_t at) {
+    return std::min(text.find_first_not_of("0123456789", at), text.size()) - at;
+  };
+  std::size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    const std::size_t m = digits(a, i), n = digits(b, j);
+    if (m > 0 && n > 0) {
+      // Without leading zeros the longer run is the larger number, and equal lengths compare as text.
+      const std::string x = a.substr(i, m), y = b.substr(j, n);
+      const std::string p = x.substr(std::min(x.find_first_not_of('0'), x.size()));
+      const std::string q = y.substr(std::min(y.find_first_not_of('0'), y.size()));
+      if (p.size() != q.size()) return p.size() < q.size();
+      if (p != q) return p < q;
+      i += m, j += n;
+    } else if (a[i] != b[j]) {
+      return a[i] < b[j];
+    } else {
+      ++i, ++j;
+    }
+  }
+  if (i == a.size() && j == b.size()) return a < b;  // "a-01" and "a-1": any fixed order
+  return i == a.size();
+}
+
 }  // namespace
 
 std::string data_folder() {
@@ -48,7 +74,7 @@ std::vector<std::string> bundled_fabric_ids() {
     const std::string file = entry.path().filename().string();
     if (file.size() > kEnding.size() && file.ends_with(kEnding)) ids.push_back(fabric_id_of(file));
   }
-  std::sort(ids.begin(), ids.end());
+  std::sort(ids.begin(), ids.end(), natural_less);
   return ids;
 }
 

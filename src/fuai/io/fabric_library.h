@@ -16,7 +16,8 @@ namespace fuai {
 /// set-up.
 std::string data_folder();
 
-/// Names of the bundled fabrics (data/fabrics/NAME.fabric.toml), sorted. @throws Error as data_folder().
+/// Names of the bundled fabrics (data/fabrics/NAME.fabric.toml), sorted with numbers by value
+/// (graded-3 before graded-10). @throws Error as data_folder().
 /// Thread class: set-up.
 std::vector<std::string> bundled_fabric_ids();
 

@@ -130,17 +130,28 @@ std::string format_fabric(const Fabric& fabric, const std::string& stem) {
   return text + format_provenance(origins);
 }
 
-void write_fabric_file(const std::string& path, const Fabric& fabric) {
-  const std::string stem = fabric_id_of(path);
-  const std::string text = format_fabric(fabric, stem);  // throws before anything is written
+std::vector<std::string> fabric_file_paths(const std::string& path, const Fabric& fabric) {
   Fabric copy = fabric;
+  std::vector<std::string> paths;
   for (const FabricCurveField& field : fabric_curve_fields(copy)) {
     if (!field.curve->has_value()) continue;
-    const std::filesystem::path file =
-        std::filesystem::path(path).parent_path() / curve_file_name(stem, field);
-    write_curve_csv(file.string(), (*field.curve)->curve);
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    paths.push_back((folder / curve_file_name(fabric_id_of(path), field)).string());
   }
-  write_atomically(path, text);
+  paths.push_back(path);
+  return paths;
+}
+
+void write_fabric_file(const std::string& path, const Fabric& fabric) {
+  const std::vector<std::string> paths = fabric_file_paths(path, fabric);
+  std::vector<NamedText> files;
+  Fabric copy = fabric;
+  for (const FabricCurveField& field : fabric_curve_fields(copy)) {
+    if (field.curve->has_value())
+      files.push_back({paths[files.size()], format_curve_csv((*field.curve)->curve)});
+  }
+  files.push_back({path, format_fabric(fabric, fabric_id_of(path))});
+  write_together(files);
 }
 
 }  // namespace fuai

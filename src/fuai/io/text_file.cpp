@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "fuai/core/error.h"
 
@@ -123,16 +124,72 @@ void write_all(int descriptor, std::string_view bytes, const std::string& path) 
   }
 }
 
-/// The file that a write to `path` replaces: links are followed; only regular files may be replaced.
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+/// The file that a write to `path` replaces: links are followed; only regular files may be replaced, and the
+/// folder must exist.
 std::filesystem::path target_of(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code code;
+  if (path.empty()) fail("", "the name of the file to write is empty", "give the name of a file");
+  if (!fs::is_directory(folder_of(path), code))
+    fail(path, "the folder '" + folder_of(path).string() + "' does not exist", "make the folder first");
   const fs::file_status status = fs::status(path, code);
   if (fs::is_directory(status)) fail(path, "this is a directory", "give the name of a file");
   if (!fs::exists(status)) return path;
   if (!fs::is_regular_file(status)) fail(path, "this is not a regular file", "give the name of a file");
-  return fs::canonical(path);
+  const fs::path target = fs::canonical(path, code);
+  if (code) fail(path, "the path cannot be followed: " + code.message(), "choose another place");
+  return target;
 }
+
+/// A file written whole under a temporary name beside its target; removed again unless committed.
+class StagedFile {
+ public:
+  StagedFile(std::string path, std::string_view bytes) : path_(std::move(path)), target_(target_of(path_)) {
+    static std::atomic<unsigned> counter{0};
+    const std::filesystem::path temporary =
+        folder() / ("." + target_.filename().string() + "." + std::to_string(::getpid()) + "." +
+                    std::to_string(counter.fetch_add(1)) + ".tmp");
+    Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (file.number() < 0)
+      fail(path_, std::string("cannot write into the folder: ") + std::strerror(errno),
+           "check its permissions");
+    temporary_.reset(new std::filesystem::path(temporary));
+    struct stat old {};
+    if (::stat(target_.c_str(), &old) == 0 && ::fchmod(file.number(), old.st_mode & 07777) != 0)
+      fail(path_, std::string("cannot set the permissions: ") + std::strerror(errno), {});
+    write_all(file.number(), bytes, path_);
+    if (::fsync(file.number()) != 0 || !file.close())
+      fail(path_, std::string("cannot write: ") + std::strerror(errno),
+           "free some space or choose another place");
+  }
+
+  /// One step from the old file to the new one.
+  void commit() {
+    if (::rename(temporary_->c_str(), target_.c_str()) != 0)
+      fail(path_, std::string("cannot replace the file: ") + std::strerror(errno), "check its permissions");
+    delete temporary_.release();
+    const Descriptor directory(::open(folder().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (directory.number() >= 0) ::fsync(directory.number());  // the name; a failure loses nothing written
+  }
+
+ private:
+  struct Remove {
+    void operator()(std::filesystem::path* name) const {
+      ::unlink(name->c_str());
+      delete name;
+    }
+  };
+
+  std::filesystem::path folder() const { return folder_of(target_); }
+
+  std::string path_;
+  std::filesystem::path target_;
+  std::unique_ptr<std::filesystem::path, Remove> temporary_;
+};
 
 }  // namespace
 
@@ -194,39 +251,19 @@ std::string read_text_file(const std::string& path, std::uint64_t limit) {
   return decode_text(read_bytes(path, limit), path);
 }
 
-void write_atomically(const std::string& path, std::string_view bytes) {
-  namespace fs = std::filesystem;
-  const fs::path target = target_of(path);
-  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  std::error_code code;
-  if (!fs::is_directory(folder, code))
-    fail(path, "the folder '" + folder.string() + "' does not exist", "make the folder first");
+void write_atomically(const std::string& path, std::string_view bytes) { StagedFile(path, bytes).commit(); }
 
-  // 1. A temporary file of our own in the same folder, so that the rename cannot cross file systems.
-  static std::atomic<unsigned> counter{0};
-  const fs::path temporary = folder / ("." + target.filename().string() + "." + std::to_string(::getpid()) +
-                                       "." + std::to_string(counter.fetch_add(1)) + ".tmp");
-  Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-  if (file.number() < 0)
+void write_together(std::span<const NamedText> files) {
+  std::vector<StagedFile> staged;
+  staged.reserve(files.size());
+  for (const NamedText& file : files) staged.emplace_back(file.path, file.text);
+  for (StagedFile& file : staged) file.commit();
+}
+
+void check_can_write(const std::string& path) {
+  const std::filesystem::path target = target_of(path);
+  if (::access(folder_of(target).c_str(), W_OK | X_OK) != 0)
     fail(path, std::string("cannot write into the folder: ") + std::strerror(errno), "check its permissions");
-  const auto remove = [](const fs::path* name) { ::unlink(name->c_str()); };
-  std::unique_ptr<const fs::path, decltype(remove)> guard(&temporary, remove);
-
-  // 2. All bytes onto the disk.
-  struct stat old {};
-  if (::stat(target.c_str(), &old) == 0 && ::fchmod(file.number(), old.st_mode & 07777) != 0)
-    fail(path, std::string("cannot set the permissions: ") + std::strerror(errno), {});
-  write_all(file.number(), bytes, path);
-  if (::fsync(file.number()) != 0 || !file.close())
-    fail(path, std::string("cannot write: ") + std::strerror(errno),
-         "free some space or choose another place");
-
-  // 3. One step from the old file to the new one.
-  if (::rename(temporary.c_str(), target.c_str()) != 0)
-    fail(path, std::string("cannot replace the file: ") + std::strerror(errno), "check its permissions");
-  guard.release();
-  const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (directory.number() >= 0) ::fsync(directory.number());  // the name; a failure here loses nothing written
 }
 
 }  // namespace fuai

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -32,5 +33,19 @@ std::string read_text_file(const std::string& path, std::uint64_t limit = kLarge
 /// @throws Error (kBadInput) when the folder does not exist or cannot be written, when the path is a
 /// directory or a device, or the disk is full. Thread class: set-up.
 void write_atomically(const std::string& path, std::string_view bytes);
+
+/// One of several files to write.
+struct NamedText {
+  std::string path, text;
+};
+
+/// Writes several files that belong together: all are on the disk under temporary names before the first one
+/// is renamed, in the order given. A full disk therefore leaves every old file as it was.
+/// @throws Error (kBadInput), see write_atomically(). Thread class: set-up.
+void write_together(std::span<const NamedText> files);
+
+/// Finds out before a long computation whether write_atomically() can work; writes nothing.
+/// @throws Error (kBadInput), the same as write_atomically(). Thread class: set-up.
+void check_can_write(const std::string& path);
 
 }  // namespace fuai
