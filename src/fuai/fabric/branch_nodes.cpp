@@ -40,8 +40,6 @@ Range strain_range(const MeasuredCurve& curve) {
   return range;
 }
 
-bool rises(const CurveBranch& branch) { return branch.samples.back().strain > branch.samples.front().strain; }
-
 double peak_stress(const MeasuredCurve& curve) {
   double peak = 0.0;
   for (const CurveBranch& branch : curve.branches) {
