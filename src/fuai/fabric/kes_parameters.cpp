@@ -3,7 +3,6 @@
 #include "fuai/fabric/kes_parameters.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -221,7 +220,7 @@ void write_atomically(const std::string& path, std::string_view bytes) {
   // 3. One step from the old file to the new one.
   if (::rename(temporary.c_str(), target.c_str()) != 0)
     fail(path, std::string("cannot replace the file: ") + std::strerror(errno), "check its permissions");
-  guard.release();
+  static_cast<void>(guard.release());
   const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (directory.number() >= 0) ::fsync(directory.number());  // the name; a failure here loses nothing written
 }
