@@ -21,8 +21,8 @@ for layer, may in allowed.items():
     for below in may - {layer}:
         if below not in order:
             problems.append(f"LAYERS: {layer} may include the unknown layer {below}")
-        elif layer in allowed[below]:
-            problems.append(f"LAYERS: {layer} and {below} include each other")
+        elif order.index(below) > order.index(layer):
+            problems.append(f"LAYERS: {layer} stands before {below}, which it may include")
 
 for folder in sorted(p for p in top.iterdir() if p.is_dir()):
     if folder.name not in allowed:

@@ -9,21 +9,15 @@
 
 #include "fuai/core/error.h"
 #include "fuai/fabric/buckling.h"
+#include "fuai/fabric/scalar_laws.h"
 #include "fuai/units/constants.h"
 
 using namespace fuai;
 
 namespace {
 
-/// Moment B K plus friction of bound HB; radii as in thin cloth [1/m].
-PlayLaw bending_law(double B, double HB) {
-  Extrapolation constant;
-  constant.kind = Extrapolation::Kind::kConstant;
-  const PlayElement elements[] = {{5.0, 0.3}, {15.0, 0.4}, {40.0, 0.3}};
-  return make_play_law(make_curve_table(-1000.0, 1000.0, std::vector<double>{-1000.0 * B, 0.0, 1000.0 * B}),
-                       make_curve_table(-1000.0, 1000.0, std::vector<double>{HB, HB, HB}, constant),
-                       elements);
-}
+/// Moment B K plus friction of bound HB.
+PlayLaw bending_law(double B, double HB) { return make_bending_law(B, 2.0 * HB, kNoJamming); }
 
 /// Arithmetic-geometric mean: complete elliptic integrals K(k) and E(k). @source Abramowitz & Stegun 17.6
 std::array<double, 2> complete_elliptic(double k) {
@@ -84,7 +78,7 @@ TEST_SUITE("analytic") {
 
   TEST_CASE("a heavy limp strip is a catenary") {
     // Span .8: sag .265438, H/(wL) .338202. B/(w L^3) = 1e-6: boundary layers of (B/H)^(1/2) = 0.17 % L.
-    const double w = 0.1 * unit::kStandardGravity, L = 0.1;
+    const double w = 0.1 * kStandardGravity, L = 0.1;
     const BucklingPath path = simulate_buckling(
         {L, 0.1, false, 400, 0.02}, bending_law(1e-6 * w * L * L * L, 0.0), std::vector<double>{0.8 * L});
     CHECK(path.force[0] == doctest::Approx(0.338202 * w * L).epsilon(1e-2));

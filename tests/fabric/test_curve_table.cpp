@@ -21,13 +21,6 @@ std::vector<double> monotone_values(std::size_t n, unsigned seed) {
   return values;
 }
 
-Extrapolation jamming(double limit) {
-  Extrapolation e;
-  e.kind = Extrapolation::Kind::kJamming;
-  e.limit = limit;
-  return e;
-}
-
 }  // namespace
 
 TEST_SUITE("unit") {
@@ -40,12 +33,23 @@ TEST_SUITE("unit") {
     CHECK(table.evaluate(2.0).value == doctest::Approx(values.back()).epsilon(1e-14));
   }
 
+  TEST_CASE("a table without nodes is zero everywhere") {
+    const CurveTable empty;
+    for (double x : {-1.0, 0.0, 0.5, 1.0, 2.0}) {
+      CAPTURE(x);
+      CHECK(empty.evaluate(x).value == 0.0);
+      CHECK(empty.evaluate(x).slope == 0.0);
+      CHECK(empty.integral(x) == 0.0);
+      CHECK(empty.first_moment(x) == 0.0);
+    }
+  }
+
   TEST_CASE("bad tables are refused") {
     const std::vector<double> one{1.0}, bad{0.0, NAN}, good{0.0, 1.0};
     CHECK_THROWS_AS(make_curve_table(0, 1, one), Error);
     CHECK_THROWS_AS(make_curve_table(0, 1, bad), Error);
     CHECK_THROWS_AS(make_curve_table(1, 0, good), Error);
-    CHECK_THROWS_AS(make_curve_table(0, 1, good, jamming(0.9)), Error);
+    CHECK_THROWS_AS(make_curve_table(0, 1, good, jamming_outside(0.9)), Error);
   }
 }
 
@@ -69,9 +73,7 @@ TEST_SUITE("property") {
 TEST_SUITE("derivative") {
   TEST_CASE("slope and integrals are derivatives of one another, inside and outside, through every rule") {
     const std::vector<double> values = monotone_values(21, 5);
-    Extrapolation constant;
-    constant.kind = Extrapolation::Kind::kConstant;
-    for (const Extrapolation& rule : {Extrapolation{}, constant, jamming(3.0)}) {
+    for (const Extrapolation& rule : {Extrapolation{}, constant_outside(), jamming_outside(3.0)}) {
       const CurveTable table = make_curve_table(-1.0, 2.0, values, rule);
       for (double x = -2.93; x < 2.95; x += 0.0617) {
         CAPTURE(x);
@@ -91,7 +93,7 @@ TEST_SUITE("derivative") {
 
   TEST_CASE("a jammed table stays finite at and beyond its limit, and its stiffness grows") {
     const std::vector<double> line{-1.0, 0.0, 1.0};
-    const CurveTable table = make_curve_table(-1.0, 1.0, line, jamming(10.0));
+    const CurveTable table = make_curve_table(-1.0, 1.0, line, jamming_outside(10.0));
     CHECK(table.evaluate(1.0).slope == doctest::Approx(1.0));
     CHECK(table.evaluate(9.9).slope > 1000.0);
     CHECK(std::isfinite(table.evaluate(1e6).value));

@@ -159,12 +159,10 @@ TEST_SUITE("analytic") {
 
 TEST_SUITE("crosscheck") {
   TEST_CASE("a law beside its own nested loops misfits by nothing; beside stiffer ones by their difference") {
-    Extrapolation constant;
-    constant.kind = Extrapolation::Kind::kConstant;
     const PlayElement plays[] = {{0.05, 0.5}, {0.2, 0.5}};
     const PlayLaw law =
         make_play_law(make_curve_table(-3, 3, std::vector<double>{-3, 0, 3}),
-                      make_curve_table(-3, 3, std::vector<double>{0.2, 0.2, 0.2}, constant), plays);
+                      make_curve_table(-3, 3, std::vector<double>{0.2, 0.2, 0.2}, constant_outside()), plays);
     MeasuredCurve curve{Test::kBending, Direction::kWarp, {}, ""};
     PlayState state;
     for (double peak : {0.5, 1.0, 2.0}) {

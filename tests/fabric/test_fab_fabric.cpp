@@ -10,6 +10,7 @@
 #include "fuai/core/error.h"
 #include "fuai/fabric/buckling.h"
 #include "fuai/fabric/fab_fabric.h"
+#include "fuai/fabric/scalar_laws.h"
 #include "fuai/io/u3m.h"
 #include "fuai/units/constants.h"
 
@@ -41,7 +42,7 @@ FabRecord made_record(double B, double HB, double tilt, double noise) {
     BucklingStrip bent{L, record.areal_mass, test == FabTest::kU1};
     bent.half_segments = test == FabTest::kD2 ? 40 : 20;
     bent.clamp_angle = test == FabTest::kU1 ? tilt : -tilt;
-    const BucklingPath path = simulate_buckling(bent, make_linear_bending_law(B, HB), distances);
+    const BucklingPath path = simulate_buckling(bent, make_bending_law(B, 2.0 * HB, kNoJamming), distances);
     std::size_t i = 0;
     const double offset = 0.01 * (1.0 + static_cast<double>(test)),
                  last = static_cast<double>(distances.size() - 1);

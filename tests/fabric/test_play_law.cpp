@@ -23,14 +23,9 @@ PlayLaw widening_law() {
     elastic.push_back(0.1 * x + 0.004 * x * x * x + 0.003 * std::abs(x) * x);
     friction.push_back(0.03 + 0.006 * x * x + 0.002 * x);
   }
-  Extrapolation jam;
-  jam.kind = Extrapolation::Kind::kJamming;
-  jam.limit = 40.0;
-  Extrapolation constant;
-  constant.kind = Extrapolation::Kind::kConstant;
   const PlayElement elements[] = {{0.05, 0.3}, {0.15, 0.3}, {0.4, 0.25}, {0.8, 0.15}};
-  return make_play_law(make_curve_table(-2.5, 2.5, elastic, jam),
-                       make_curve_table(-2.5, 2.5, friction, constant), elements);
+  return make_play_law(make_curve_table(-2.5, 2.5, elastic, jamming_outside(40.0)),
+                       make_curve_table(-2.5, 2.5, friction, constant_outside()), elements);
 }
 
 }  // namespace

@@ -29,13 +29,11 @@ PlayLaw uneven_law() {
     friction.push_back(unit::kGfCmPerCm * (0.03 + 0.004 * x * x + 0.002 * x));
   }
   const double reach = 2.5 * unit::kPerCentimetre;
-  Extrapolation constant;
-  constant.kind = Extrapolation::Kind::kConstant;
   const PlayElement elements[] = {{0.05 * unit::kPerCentimetre, 0.4},
                                   {0.2 * unit::kPerCentimetre, 0.35},
                                   {0.6 * unit::kPerCentimetre, 0.25}};
   return make_play_law(make_curve_table(-reach, reach, elastic),
-                       make_curve_table(-reach, reach, friction, constant), elements);
+                       make_curve_table(-reach, reach, friction, constant_outside()), elements);
 }
 
 /// Warp and weft differ.

@@ -26,6 +26,7 @@ for files, expected in [
     ({"units/c.cpp": '#include "fuai/core/none.h"\n'}, "does not exist"),
     ({"utils/c.h": ""}, "folder is missing from LAYERS"),
     ({"LAYERS": LAYERS + "extra: nowhere ;\n"}, "unknown layer nowhere"),
+    ({"LAYERS": "core: units ;\nunits: ;\nfabric: core units ;\n"}, "core stands before units"),
 ]:
     code, text = run(files)
     assert code == 1 and expected in text, (files, code, text)

@@ -2,25 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <vector>
-
 #include "fuai/fabric/laws.h"
+#include "fuai/fabric/scalar_laws.h"
 #include "fuai/units/constants.h"
 
 namespace fuai_test {
 
-/// M = B K with friction HB over play radii of 0.05, 0.15 and 0.4 per cm. B [gf cm2/cm], HB [gf cm/cm].
+/// M = B K with friction HB, no jamming; none for B = 0. B [gf cm2/cm], HB [gf cm/cm]. The plays weigh alike,
+/// as in the runs that the reference numbers of the drapes and bent strips come from.
 inline fuai::PlayLaw linear_bending_law(double B_gf_cm2_per_cm, double HB_gf_cm_per_cm) {
   using namespace fuai;
-  const double reach = 2.5 * unit::kPerCentimetre, peak = B_gf_cm2_per_cm * unit::kGfCm2PerCm * reach;
-  const double HB = HB_gf_cm_per_cm * unit::kGfCmPerCm;
-  Extrapolation constant;
-  constant.kind = Extrapolation::Kind::kConstant;
-  const PlayElement elements[] = {{0.05 * unit::kPerCentimetre, 1.0 / 3.0},
-                                  {0.15 * unit::kPerCentimetre, 1.0 / 3.0},
-                                  {0.40 * unit::kPerCentimetre, 1.0 / 3.0}};
-  return make_play_law(make_curve_table(-reach, reach, std::vector<double>{-peak, 0.0, peak}),
-                       make_curve_table(-reach, reach, std::vector<double>{HB, HB, HB}, constant), elements);
+  if (B_gf_cm2_per_cm == 0.0) return {};
+  auto plays = kBendingPlays;
+  for (PlayElement& play : plays) play.weight = 1.0 / 3.0;
+  return make_bending_law(B_gf_cm2_per_cm * unit::kGfCm2PerCm, 2.0 * HB_gf_cm_per_cm * unit::kGfCmPerCm,
+                          kNoJamming, plays);
 }
 
 /// The same law in warp and weft. mass [g/m2].

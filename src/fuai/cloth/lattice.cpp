@@ -105,12 +105,12 @@ LatticeState make_lattice_state(const LatticeModel& model) {
 LatticeTangents lattice_tangents(const LatticeModel& model, std::span<const Vec3> positions,
                                  int node) noexcept {
   const int column = node % model.columns, row = node / model.columns;
-  const Vec3& here = positions[static_cast<std::size_t>(node)];
+  const auto at = [&](int n) -> const Vec3& { return positions[static_cast<std::size_t>(n)]; };
   // Sum of the unit vectors along one thread, both pointing the way of growing index.
   const auto tangent = [&](int index, int count, int stride) {
     Vec3 sum = Vec3::Zero();
-    if (index > 0) sum += (here - positions[static_cast<std::size_t>(node - stride)]).normalized();
-    if (index + 1 < count) sum += (positions[static_cast<std::size_t>(node + stride)] - here).normalized();
+    if (index > 0) sum += (at(node) - at(node - stride)).normalized();
+    if (index + 1 < count) sum += (at(node + stride) - at(node)).normalized();
     return sum;
   };
   return {tangent(column, model.columns, 1), tangent(row, model.rows, model.columns)};

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "fuai/core/error.h"
 
@@ -39,8 +38,6 @@ Range strain_range(const MeasuredCurve& curve) {
   }
   return range;
 }
-
-bool rises(const CurveBranch& branch) { return branch.samples.back().strain > branch.samples.front().strain; }
 
 double peak_stress(const MeasuredCurve& curve) {
   double peak = 0.0;

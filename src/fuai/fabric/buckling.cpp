@@ -31,7 +31,7 @@ class HalfStrip {
         n_(static_cast<std::size_t>(strip.half_segments)),
         h_(0.5 * strip.free_length / static_cast<double>(n_)),
         half_length_(0.5 * strip.free_length),
-        weight_(strip.areal_mass * unit::kStandardGravity * (strip.upwards ? -1.0 : 1.0)),
+        weight_(strip.areal_mass * kStandardGravity * (strip.upwards ? -1.0 : 1.0)),
         memory_(n_ + 1) {
     for (auto* v : {&theta_, &residual_, &diagonal_, &coupling_, &border_, &free_, &pull_, &pivot_, &base_}) {
       v->assign(n_, 0.0);

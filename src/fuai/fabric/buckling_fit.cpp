@@ -10,6 +10,7 @@
 
 #include "fuai/core/error.h"
 #include "fuai/fabric/buckling.h"
+#include "fuai/fabric/scalar_laws.h"
 #include "fuai/units/constants.h"
 
 namespace fuai {
@@ -66,7 +67,8 @@ Task make_task(const FabRecord& record, Direction direction, FabTest test) {
 Projected project(const Task& task, double B, double HB, double clamp_tilt, const Eigen::VectorXd& weight) {
   BucklingStrip strip = task.strip;
   strip.clamp_angle = strip.upwards ? clamp_tilt : -clamp_tilt;
-  const BucklingPath path = simulate_buckling(strip, make_linear_bending_law(B, HB), task.distance);
+  const BucklingPath path =
+      simulate_buckling(strip, make_bending_law(B, 2.0 * HB, kNoJamming), task.distance);
   const Eigen::Index n = task.force.size();
   Projected p;
   p.model = task.width * Eigen::Map<const Eigen::VectorXd>(path.force.data(), n);
@@ -211,15 +213,6 @@ std::string judge(const BucklingFit& fit) {
 }
 
 }  // namespace
-
-PlayLaw make_linear_bending_law(double B, double HB) {
-  constexpr double kReach = 1000.0;  // [1/m]; linear and constant beyond, so the value does not matter
-  Extrapolation constant;
-  constant.kind = Extrapolation::Kind::kConstant;
-  const std::array<double, 3> line{-kReach * B, 0.0, kReach * B}, bound{HB, HB, HB};
-  return make_play_law(make_curve_table(-kReach, kReach, line),
-                       make_curve_table(-kReach, kReach, bound, constant), kDefaultBendingPlays);
-}
 
 BucklingFit fit_buckling(const FabRecord& record, Direction direction) {
   const Tasks tasks{make_task(record, direction, FabTest::kD1), make_task(record, direction, FabTest::kU1)};

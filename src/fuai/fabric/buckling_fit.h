@@ -3,13 +3,13 @@
 //
 // Model of a sample i of test t:
 //   F_i = width f(d_i; B, HB, tilt) + offset_t + drift_t tau_i,   tau 0..1 over the test (samples in order)
-// f is simulate_buckling() of the moment law B K + friction bounded by HB = 2HB / 2. The load cell's offset
-// differs between set-ups by more than the signal and creeps from cycle to cycle, so offset and drift are
-// free in each test; what identifies B and HB is the shape: the slope of the force over the distance, and the
-// width and rounding of the nested loops. Both clamps point upwards by one common tilt (positive up: with the
-// upward buckle of U1, against the downward one of D1); without it D1 and U1 contradict each other. Left out
-// of the fit: the first branch of each test, whose history is unknown, and D2 (8 cm), which hangs as a
-// catenary: its force is weight, not bending. D2 is predicted as a check.
+// f is simulate_buckling() of make_bending_law(): moment B K + friction bounded by HB = 2HB / 2. The load
+// cell's offset differs between set-ups by more than the signal and creeps from cycle to cycle, so offset and
+// drift are free in each test; what identifies B and HB is the shape: the slope of the force over the
+// distance, and the width and rounding of the nested loops. Both clamps point upwards by one common tilt
+// (positive up: with the upward buckle of U1, against the downward one of D1); without it D1 and U1
+// contradict each other. Left out of the fit: the first branch of each test, whose history is unknown, and D2
+// (8 cm), which hangs as a catenary: its force is weight, not bending. D2 is predicted as a check.
 #pragma once
 
 #include <array>
@@ -17,15 +17,8 @@
 #include <vector>
 
 #include "fuai/fabric/fab_record.h"
-#include "fuai/fabric/play_law.h"
 
 namespace fuai {
-
-/// Default play radii of bending friction [1/m] and their weights: no buckling test resolves them.
-inline constexpr std::array<PlayElement, 3> kDefaultBendingPlays{{{5.0, 0.3}, {15.0, 0.4}, {40.0, 0.3}}};
-
-/// Moment law B K + friction of bound HB with the default plays. @param B [N m] @param HB half of 2HB [N]
-PlayLaw make_linear_bending_law(double B, double HB);
 
 /// One test beside its model.
 struct BucklingTestFit {

@@ -90,14 +90,13 @@ CurveTable make_curve_table(double low, double high, std::span<const double> val
     table.cells_[i] = {values[i], m[i], 3.0 * df - 2.0 * m[i] - m[i + 1], m[i] + m[i + 1] - 2.0 * df};
   }
   table.extrapolation_ = extrapolation;
-  Extrapolation& outside = table.extrapolation_;
-  if (!outside.slopes_given) {
-    outside.slope_low = m.front() * table.inverse_spacing_;
-    outside.slope_high = m.back() * table.inverse_spacing_;
+  Extrapolation& rule = table.extrapolation_;
+  if (!rule.slopes_given) {
+    rule.slope_low = m.front() * table.inverse_spacing_;
+    rule.slope_high = m.back() * table.inverse_spacing_;
   }
-  if (outside.kind == Extrapolation::Kind::kConstant) outside.slope_low = outside.slope_high = 0.0;
-  if (outside.kind == Extrapolation::Kind::kJamming &&
-      !(outside.limit > std::max(std::abs(low), std::abs(high)))) {
+  if (rule.kind == Extrapolation::Kind::kConstant) rule.slope_low = rule.slope_high = 0.0;
+  if (rule.kind == Extrapolation::Kind::kJamming && !(rule.limit > std::max(std::abs(low), std::abs(high)))) {
     throw Error(ErrorKind::kBadInput, "the jamming limit lies inside the measured range", {},
                 "give a limit beyond the largest measured strain");
   }
@@ -131,54 +130,53 @@ CurveValue CurveTable::evaluate(double x) const noexcept {
   return result;
 }
 
+CurveTable::Outside CurveTable::outside(double x) const noexcept {
+  const bool above = x > high_;
+  Outside o{};
+  o.end = above ? high_ : low_;
+  o.base = above ? nodes_.back() : nodes_.front();
+  o.slope = above ? extrapolation_.slope_high : extrapolation_.slope_low;
+  o.distance = x - o.end;
+  o.side = above ? 1.0 : -1.0;
+  if (extrapolation_.kind == Extrapolation::Kind::kJamming) o.gap = extrapolation_.limit - std::abs(o.end);
+  return o;
+}
+
 double CurveTable::outside_value(double x, double* slope) const noexcept {
   if (cells_.empty()) {
     *slope = 0.0;
     return 0.0;
   }
-  const bool above = x > high_;
-  const double end = above ? high_ : low_;
-  const double end_slope = above ? extrapolation_.slope_high : extrapolation_.slope_low;
-  const double base = above ? nodes_.back() : nodes_.front();
-  double value = base + end_slope * (x - end);
-  *slope = end_slope;
-  if (extrapolation_.kind == Extrapolation::Kind::kJamming) {
-    const double gap = extrapolation_.limit - std::abs(end);
-    const Jam j = jam(std::abs(x - end) / gap);
-    value += (above ? 1.0 : -1.0) * end_slope * gap * j.value;
-    *slope += end_slope * j.slope;
+  const Outside o = outside(x);
+  double value = o.base + o.slope * o.distance;
+  *slope = o.slope;
+  if (o.gap > 0.0) {
+    const Jam j = jam(std::abs(o.distance) / o.gap);
+    value += o.side * o.slope * o.gap * j.value;
+    *slope += o.slope * j.slope;
   }
   return value;
 }
 
 double CurveTable::outside_integral(double x) const noexcept {
   if (cells_.empty()) return 0.0;
-  const bool above = x > high_;
-  const double end = above ? high_ : low_;
-  const double end_slope = above ? extrapolation_.slope_high : extrapolation_.slope_low;
-  const double base = above ? nodes_.back() : nodes_.front();
-  const double d = x - end;
-  double sum = base * d + 0.5 * end_slope * d * d;
-  if (extrapolation_.kind == Extrapolation::Kind::kJamming) {
-    const double gap = extrapolation_.limit - std::abs(end);
-    sum += end_slope * gap * gap * jam(std::abs(d) / gap).integral;
-  }
+  const Outside o = outside(x);
+  const double d = o.distance;
+  double sum = o.base * d + 0.5 * o.slope * d * d;
+  if (o.gap > 0.0) sum += o.slope * o.gap * o.gap * jam(std::abs(d) / o.gap).integral;
   return sum;
 }
 
 double CurveTable::outside_first_moment(double x) const noexcept {
   if (cells_.empty()) return 0.0;
-  const bool above = x > high_;
-  const double end = above ? high_ : low_;
-  const double end_slope = above ? extrapolation_.slope_high : extrapolation_.slope_low;
-  const double base = above ? nodes_.back() : nodes_.front();
-  const double d = x - end;
+  const Outside o = outside(x);
+  const double d = o.distance;
   // integral of k f(k) dk with k = end + q, q from 0 to d
-  double sum = end * (base * d + 0.5 * end_slope * d * d) + 0.5 * base * d * d + end_slope * d * d * d / 3.0;
-  if (extrapolation_.kind == Extrapolation::Kind::kJamming) {
-    const double gap = extrapolation_.limit - std::abs(end);
-    const Jam j = jam(std::abs(d) / gap);
-    sum += end_slope * gap * gap * (end * j.integral + (above ? 1.0 : -1.0) * gap * j.moment);
+  double sum =
+      o.end * (o.base * d + 0.5 * o.slope * d * d) + 0.5 * o.base * d * d + o.slope * d * d * d / 3.0;
+  if (o.gap > 0.0) {
+    const Jam j = jam(std::abs(d) / o.gap);
+    sum += o.slope * o.gap * o.gap * (o.end * j.integral + o.side * o.gap * j.moment);
   }
   return sum;
 }

@@ -27,6 +27,21 @@ struct Extrapolation {
   bool slopes_given = false;
 };
 
+/// The end values are kept.
+constexpr Extrapolation constant_outside() {
+  Extrapolation rule;
+  rule.kind = Extrapolation::Kind::kConstant;
+  return rule;
+}
+
+/// The end slopes are kept, and the force goes to infinity at +-limit [unit of x].
+constexpr Extrapolation jamming_outside(double limit) {
+  Extrapolation rule;
+  rule.kind = Extrapolation::Kind::kJamming;
+  rule.limit = limit;
+  return rule;
+}
+
 /// Value, slope and integrals at one point.
 struct CurveValue {
   double value = 0.0;
@@ -36,6 +51,7 @@ struct CurveValue {
 /// The table. Immutable once built; evaluation is real-time safe.
 class CurveTable {
  public:
+  /// A table without nodes is zero everywhere.
   CurveTable() = default;
 
   /// Value and slope at x. Thread class: real-time.
@@ -63,11 +79,22 @@ class CurveTable {
   };
   double raw_integral(double x) const noexcept;      // from low()
   double raw_first_moment(double x) const noexcept;  // from low()
+  /// How the curve starts out from the end that x lies beyond.
+  struct Outside {
+    double end;       ///< the last node on that side
+    double base;      ///< value there
+    double slope;     ///< slope there
+    double distance;  ///< x - end
+    double side;      ///< +1 above, -1 below
+    double gap;       ///< from the end to the jamming limit; 0 without jamming
+  };
+  Outside outside(double x) const noexcept;
   double outside_value(double x, double* slope) const noexcept;
   double outside_integral(double x) const noexcept;      // from the nearer end
   double outside_first_moment(double x) const noexcept;  // from the nearer end
 
-  double low_ = 0.0, high_ = 1.0, spacing_ = 1.0, inverse_spacing_ = 1.0;
+  // Empty: every x lies outside.
+  double low_ = 0.0, high_ = -1.0, spacing_ = 1.0, inverse_spacing_ = 1.0;
   std::vector<Cell> cells_{};
   std::vector<double> nodes_{};
   std::vector<double> integral_{};      // at nodes, from low()

@@ -9,6 +9,7 @@
 
 #include "fuai/core/error.h"
 #include "fuai/fabric/kes_parameters.h"
+#include "fuai/fabric/scalar_laws.h"
 #include "fuai/units/constants.h"
 
 namespace fuai {
@@ -167,7 +168,8 @@ void list_assumptions(const Context& c) {
   c.assume(
       "tensile strain is zero at the free length that the file states; force is zero where the strip hangs "
       "slack");
-  c.assume("bending is linear with a constant friction bound; play radii 0.05, 0.15, 0.4 1/cm are assumed");
+  c.assume(std::string("bending is linear with a constant friction bound; ") + kBendingPlaysInWords +
+           " are assumed");
   c.assume(
       "in each buckling test the load cell has an offset and a linear drift of its own; both clamps share "
       "one tilt");

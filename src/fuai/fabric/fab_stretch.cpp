@@ -96,6 +96,7 @@ FabStretch make_fab_stretch(const FabRecord& record, Direction direction, FabTes
       if (sense * (next.clamp_distance - raw.back().clamp_distance) > 0.0) raw.push_back(next);
     }
     std::vector<CurveSample> samples;
+    samples.reserve(raw.size());
     for (const FabSample& s : raw) {
       samples.push_back({s.clamp_distance / strip.length - 1.0, (s.force - zero) / strip.width});
     }

@@ -16,12 +16,6 @@ namespace {
 /// inside.
 constexpr double kLeastDenominator = 1e-9;
 
-Extrapolation constant_outside() {
-  Extrapolation rule;
-  rule.kind = Extrapolation::Kind::kConstant;
-  return rule;
-}
-
 void check_nodes(std::size_t a, std::size_t b, double low, double high) {
   if (a != b || a < 5) {
     throw Error(ErrorKind::kBadInput, "a loop needs at least five nodes and equally many on both branches");

@@ -3,9 +3,9 @@
 #include "fuai/fabric/kes_parameters.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <optional>
 
 #include "fuai/units/constants.h"
@@ -24,8 +24,6 @@ struct Cycle {
   std::optional<Samples> load;
   std::optional<Samples> unload;
 };
-
-bool rises(const CurveBranch& branch) { return branch.samples.back().strain > branch.samples.front().strain; }
 
 Samples mirrored(const Samples& samples, double side) {
   Samples result = samples;

@@ -97,7 +97,7 @@ void make_bending_laws(const Fabric& fabric, FabricLaws& laws) {
       report.origin = "scalars B and 2HB";
       const BendingScalars s = bending_scalars(fabric, direction, report);
       laws.bending[i] = make_bending_law(s.B, s.hysteresis, jamming);
-      report.assumptions.emplace_back("play radii 0.05, 0.15 and 0.4 1/cm");
+      report.assumptions.emplace_back(kBendingPlaysInWords);
     } else if (has_curve[1 - i]) {
       take_curve(laws.bending[i], report, *fabric.bending[1 - i].curve, jamming);
       report.origin = "assumed";
@@ -133,7 +133,7 @@ void make_bias_law(const Fabric& fabric, FabricLaws& laws) {
   BendingScalars s = bending_scalars(fabric, Direction::kBias, report);
   if (s.known) {
     report.origin = "scalars B and 2HB";
-    report.assumptions.emplace_back("play radii 0.05, 0.15 and 0.4 1/cm");
+    report.assumptions.emplace_back(kBendingPlaysInWords);
   } else {
     // B45 = (B1 + B2 + 2 B12 + 4 Bt) / 4 with B12 = 0, Bt = 0.25 sqrt(B1 B2); the friction by the same rule.
     const BendingScalars warp = read_off(laws.bending[0]), weft = read_off(laws.bending[1]);

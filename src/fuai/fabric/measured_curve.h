@@ -36,6 +36,11 @@ struct CurveBranch {
   std::vector<CurveSample> samples;  ///< in the order measured, at least two
 };
 
+/// Whether the strain grows from the first sample to the last.
+inline bool rises(const CurveBranch& branch) {
+  return branch.samples.back().strain > branch.samples.front().strain;
+}
+
 /// A whole recording: branches in the order measured, any number of cycles.
 struct MeasuredCurve {
   Test test = Test::kBending;

@@ -13,7 +13,6 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <span>
 
 #include "fuai/fabric/curve_table.h"

@@ -16,12 +16,6 @@ namespace {
 
 constexpr std::size_t kNodes = 201;
 
-Extrapolation constant_outside() {
-  Extrapolation rule;
-  rule.kind = Extrapolation::Kind::kConstant;
-  return rule;
-}
-
 [[noreturn]] void refuse(const std::string& what, const std::string& cure) {
   throw Error(ErrorKind::kBadInput, what, {}, cure);
 }
@@ -42,18 +36,11 @@ double exponential_linearity(double a) {
 double kes_shear_range() { return 8.0 * unit::kDegree; }
 
 Extrapolation bending_outside(double range, double jamming_curvature) {
-  Extrapolation rule;
-  rule.kind = Extrapolation::Kind::kJamming;
-  rule.limit = std::max(jamming_curvature, 1.25 * range);
-  return rule;
+  if (jamming_curvature == kNoJamming) return {};
+  return jamming_outside(std::max(jamming_curvature, 1.25 * range));
 }
 
-Extrapolation shear_outside() {
-  Extrapolation rule;
-  rule.kind = Extrapolation::Kind::kJamming;
-  rule.limit = 0.5 * std::numbers::pi;
-  return rule;
-}
+Extrapolation shear_outside() { return jamming_outside(0.5 * std::numbers::pi); }
 
 Extrapolation tensile_outside(double secant_stiffness, double end_slope) {
   Extrapolation rule;
@@ -64,17 +51,16 @@ Extrapolation tensile_outside(double secant_stiffness, double end_slope) {
   return rule;
 }
 
-PlayLaw make_bending_law(double B, double hysteresis_2HB, double jamming_curvature) {
+PlayLaw make_bending_law(double B, double hysteresis_2HB, double jamming_curvature,
+                         std::span<const PlayElement> plays) {
   if (!(B > 0.0) || !std::isfinite(B))
     refuse("the bending rigidity B must be positive", "check B and its unit");
   if (!(hysteresis_2HB >= 0.0))
     refuse("the bending hysteresis 2HB must not be negative", "check 2HB and its unit");
   const double range = kKesBendingRange;
   const std::vector<double> elastic{-B * range, 0.0, B * range}, friction(3, 0.5 * hysteresis_2HB);
-  const double per_cm = unit::kPerCentimetre;
-  const PlayElement elements[] = {{0.05 * per_cm, 0.3}, {0.15 * per_cm, 0.4}, {0.4 * per_cm, 0.3}};
   return make_play_law(make_curve_table(-range, range, elastic, bending_outside(range, jamming_curvature)),
-                       make_curve_table(-range, range, friction, constant_outside()), elements);
+                       make_curve_table(-range, range, friction, constant_outside()), plays);
 }
 
 PlayLaw make_shear_law(double G, double hysteresis_2HG, double hysteresis_2HG5) {

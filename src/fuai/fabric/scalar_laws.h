@@ -2,6 +2,10 @@
 // loop. SPDX-License-Identifier: Apache-2.0 Source: docs/theory/play-law.md, "From the scalars alone".
 #pragma once
 
+#include <array>
+#include <limits>
+#include <span>
+
 #include "fuai/fabric/identify.h"
 #include "fuai/fabric/play_law.h"
 
@@ -12,13 +16,21 @@ inline constexpr double kKesBendingRange = 250.0;
 /// Half range of the KES shear test, 8 degrees [rad].
 double kes_shear_range();
 
+/// Play radii of bending friction [1/m] and their weights where nothing shows them: 0.05, 0.15, 0.4 1/cm.
+inline constexpr std::array<PlayElement, 3> kBendingPlays{{{5.0, 0.3}, {15.0, 0.4}, {40.0, 0.3}}};
+/// The same in words, for reports.
+inline constexpr const char* kBendingPlaysInWords = "play radii 0.05, 0.15 and 0.4 1/cm";
+/// Jamming curvature of a strip that may be bent to any curvature [1/m].
+inline constexpr double kNoJamming = std::numeric_limits<double>::infinity();
+
 /// Moment = B K plus friction of half width 2HB / 2: B and 2HB come back exactly.
-/// Play radii 0.05, 0.15, 0.4 1/cm are assumed (a loop's tips would show them).
 /// @param B bending rigidity [N m]  @param hysteresis_2HB full loop width [N]
 /// @param jamming_curvature curvature that the thickness forbids, 1/T [1/m]; raised to 1.25 times the test
-/// range
+/// range; kNoJamming: linear for ever
+/// @param plays assumed: only a loop's tips would show them
 /// @throws Error (kBadInput) when B <= 0 or 2HB < 0. Thread class: set-up.
-PlayLaw make_bending_law(double B, double hysteresis_2HB, double jamming_curvature);
+PlayLaw make_bending_law(double B, double hysteresis_2HB, double jamming_curvature,
+                         std::span<const PlayElement> plays = kBendingPlays);
 
 /// Shear force = elastic line plus friction that grows linearly from 2HG / 2 (up to 0.5 degrees) to 2HG5 / 2
 /// at 5 degrees and on to 8; constant beyond. The elastic slope is G less the growth of the friction, since G
@@ -46,7 +58,7 @@ double exponential_rate(double LT);
 /// How the elastic curve of tension goes on: end slope above, buckling slope below zero.
 Extrapolation tensile_outside(double secant_stiffness, double end_slope);
 /// How the elastic curve of bending goes on: end slope, then jamming at a curvature of one over the
-/// thickness.
+/// thickness, if any.
 Extrapolation bending_outside(double range, double jamming_curvature);
 /// How the elastic curve of shear goes on: end slope, then jamming at 90 degrees.
 Extrapolation shear_outside();

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "fuai/core/error.h"
 #include "fuai/io/delimited.h"

@@ -19,7 +19,8 @@ constexpr int kSampleLines = 20;
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-std::string_view trimmed(std::string_view text) {
+/// Without blanks before and after; a line end inside quotes is part of the cell.
+std::string_view trimmed_cell(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
   return text;
@@ -67,8 +68,9 @@ class Splitter {
     const std::size_t end = std::min(text_.find('\n', at_), text_.size());
     const std::string_view line = text_.substr(at_, end - at_);
     if (line_ > kMostLines) fail(at_, "the table has more than " + std::to_string(kMostLines) + " lines");
-    if (trimmed(line).empty() || line.front() == '#') {
-      if (!trimmed(line).empty()) table_.comments.push_back({std::string(trimmed(line.substr(1))), line_, 1});
+    if (trimmed_cell(line).empty() || line.front() == '#') {
+      if (!trimmed_cell(line).empty())
+        table_.comments.push_back({std::string(trimmed_cell(line.substr(1))), line_, 1});
       check_length(end);
       at_ = end;
       next_line();
@@ -94,7 +96,7 @@ class Splitter {
     }
     const std::size_t begin = at_;
     while (at_ < text_.size() && text_[at_] != table_.separator && text_[at_] != '\n') ++at_;
-    cell.text = trimmed(text_.substr(begin, at_ - begin));
+    cell.text = trimmed_cell(text_.substr(begin, at_ - begin));
     return cell;
   }
 
@@ -127,7 +129,7 @@ class Splitter {
     if (at_ < text_.size() && text_[at_] != table_.separator && text_[at_] != '\n')
       fail(at_, "there is text behind the closing quote",
            "separate the cells, or double a quote that is meant");
-    return std::string(trimmed(inside));
+    return std::string(trimmed_cell(inside));
   }
 
   bool take_separator() {

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuai/io/fabric_fields.h"
 
-#include <array>
 #include <cmath>
-#include <utility>
 
 #include "fuai/io/nearest_name.h"
 #include "fuai/io/number_text.h"

@@ -1,7 +1,6 @@
 // Reads fabric files (fuai-fabric/1).
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -94,7 +93,7 @@ class FabricReader {
 
   std::string required_text(const toml::table& root, const char* key) const {
     const toml::node* node = root.get(key);
-    const std::string text = node ? text_of(*node, key) : std::string();
+    std::string text = node ? text_of(*node, key) : std::string();
     if (text.empty()) {
       throw Error(
           ErrorKind::kBadInput, std::string("'") + key + "' is missing or empty", Where{name_, 0, 0, key},
@@ -107,10 +106,14 @@ class FabricReader {
   // ---- sections, numbers, curves
   // ----------------------------------------------------------------------------
 
+  static std::string path_of(const std::string& prefix, const std::string& key) {
+    return prefix.empty() ? key : prefix + "." + key;
+  }
+
   void read_table(const toml::table& table, const std::string& prefix) {
     for (const auto& [key, node] : table) {
       const std::string word(key.str());
-      const std::string path = prefix.empty() ? word : prefix + "." + word;
+      const std::string path = path_of(prefix, word);
       if (prefix.empty() && read_top_level(word, node)) continue;
       if (sections_.contains(path)) {
         if (!node.is_table())

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fuai/core/error.h"
+#include "fuai/core/text.h"
 
 namespace fuai {
 namespace {
@@ -20,13 +21,6 @@ std::size_t starts_with_any(std::string_view text, const std::array<std::string_
     if (text.starts_with(token)) return token.size();
   }
   return 0;
-}
-
-std::string trim(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\n\r";
-  const std::size_t begin = text.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) return {};
-  return std::string(text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1));
 }
 
 /// Words of keys that the unit reader spells differently, and products written without a sign.
@@ -57,7 +51,7 @@ HeaderParts split_header(std::string_view header) {
       group_begin = at;
       group.clear();
     } else if (close > 0 && depth > 0 && --depth == 0) {
-      parts.groups.push_back(trim(group));
+      parts.groups.emplace_back(trimmed(group));
       name += ' ';
     } else if (open + close > 0 && depth > 0) {
       group += open > 0 ? '(' : ')';  // inner brackets, whatever their shape
@@ -67,7 +61,7 @@ HeaderParts split_header(std::string_view header) {
     at += std::max<std::size_t>({open, close, 1});
   }
   if (depth > 0) name += header.substr(group_begin);
-  parts.name = trim(name);
+  parts.name = trimmed(name);
   return parts;
 }
 

@@ -19,7 +19,7 @@ std::string number_text(double si, double to_si) {
   constexpr int kMostDigits = 17;  // enough for any double
   const double value = si / to_si;
   for (int digits = 1; digits < kMostDigits; ++digits) {
-    const std::string text = with_digits(value, digits);
+    std::string text = with_digits(value, digits);
     double back = 0.0;
     std::from_chars(text.data(), text.data() + text.size(), back);
     if (back * to_si == si) return text;

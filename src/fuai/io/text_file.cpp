@@ -10,14 +10,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <memory>
 #include <utility>
 #include <vector>
-
-#include "fuai/core/error.h"
 
 namespace fuai {
 namespace {
@@ -42,14 +39,6 @@ class Descriptor {
  private:
   int number_;
 };
-
-/// Where in the text a byte stands: 1-based line, and column counted in bytes.
-Where place_of(std::string_view bytes, std::size_t offset, const std::string& name) {
-  const std::string_view before = bytes.substr(0, offset);
-  const auto line = std::count(before.begin(), before.end(), '\n') + 1;
-  const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 == 0
-  return {name, static_cast<int>(line), static_cast<int>(offset - line_start) + 1, {}};
-}
 
 /// Length of the valid UTF-8 sequence at the start of the text, 0 when there is none (RFC 3629, table 3-7 of
 /// the Unicode standard: no overlong forms, no surrogates, nothing beyond U+10FFFF).
@@ -192,6 +181,13 @@ class StagedFile {
 };
 
 }  // namespace
+
+Where place_of(std::string_view bytes, std::size_t offset, const std::string& name) {
+  const std::string_view before = bytes.substr(0, offset);
+  const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+  const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 == 0
+  return {name, static_cast<int>(line), static_cast<int>(offset - line_start) + 1, {}};
+}
 
 std::string read_bytes(const std::string& path, std::uint64_t limit) {
   // O_NONBLOCK: opening a pipe without a writer must not hang; it is refused just below.

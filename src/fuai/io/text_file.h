@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "fuai/core/error.h"
+
 namespace fuai {
 
 /// Largest text file that is read [bytes]. A FAB physics file has 1 MB, a day of KES curves a few.
@@ -24,6 +26,10 @@ std::string read_bytes(const std::string& path, std::uint64_t limit = kLargestTe
 /// @throws Error (kBadInput) when there is no text, a NUL byte (binary file, UTF-16), or neither encoding
 /// fits. Thread class: set-up.
 std::string decode_text(std::string_view bytes, const std::string& name);
+
+/// Where in a text a byte stands: 1-based line, and column counted in bytes.
+/// @param offset of the byte, at most the size @param name file name. Thread class: any.
+Where place_of(std::string_view bytes, std::size_t offset, const std::string& name);
 
 /// read_bytes() and decode_text(). Thread class: set-up.
 std::string read_text_file(const std::string& path, std::uint64_t limit = kLargestTextFile);

@@ -94,12 +94,6 @@ class Node {
   const std::string* file_;
 };
 
-Where place_of(std::string_view text, std::size_t byte, const std::string& name) {
-  const std::string_view before = text.substr(0, byte > 0 ? byte - 1 : 0);
-  const auto line = std::count(before.begin(), before.end(), '\n') + 1;
-  return {name, static_cast<int>(line), static_cast<int>(before.size() - (before.rfind('\n') + 1)) + 1, {}};
-}
-
 Json parse_json(std::string_view text, const std::string& name) {
   const auto check_depth = [&](int depth, Json::parse_event_t, Json&) {
     if (depth > kDeepest) {
@@ -112,8 +106,8 @@ Json parse_json(std::string_view text, const std::string& name) {
   try {
     return Json::parse(text, check_depth);
   } catch (const Json::parse_error& e) {
-    throw Error(ErrorKind::kBadInput, "the JSON is broken or cut off here", place_of(text, e.byte, name),
-                "export the file again");
+    throw Error(ErrorKind::kBadInput, "the JSON is broken or cut off here",
+                place_of(text, std::max<std::size_t>(e.byte, 1) - 1, name), "export the file again");
   } catch (const Json::exception& e) {
     // What remains is a number outside the range of a double.
     throw Error(ErrorKind::kBadInput, std::string("the JSON cannot be read: ") + e.what(),

@@ -5,7 +5,6 @@
 #include <cairo/cairo-svg.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <vector>
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuai/picture/cloth_painter.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -34,8 +33,9 @@ class GpuMesh {
                  GL_STATIC_DRAW);
     const auto attribute = [](GLuint index, GLint size, std::size_t offset) {
       glEnableVertexAttribArray(index);
-      glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, sizeof(DrawVertex),
-                            reinterpret_cast<const void*>(offset));
+      // OpenGL takes the offset in a buffer as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
+      const void* in_buffer = reinterpret_cast<const void*>(offset);
+      glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, sizeof(DrawVertex), in_buffer);
     };
     attribute(0, 3, offsetof(DrawVertex, position));
     attribute(1, 3, offsetof(DrawVertex, normal));

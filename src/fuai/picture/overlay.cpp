@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuai/picture/overlay.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>

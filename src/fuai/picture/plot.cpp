@@ -42,8 +42,9 @@ void draw_page(cairo_t* cairo, const PlotGrid& grid, double width, double height
     margins.bottom = std::max(margins.bottom, own.bottom);
   }
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    const double left = 4.0 + cell_width * static_cast<double>(i % columns);
-    const double cell_top = top + cell_height * static_cast<double>(i / columns);
+    const std::size_t row = i / columns, column = i % columns;
+    const double left = 4.0 + cell_width * static_cast<double>(column);
+    const double cell_top = top + cell_height * static_cast<double>(row);
     const Rectangle frame{left + margins.left, cell_top + margins.top, left + cell_width - margins.right,
                           cell_top + cell_height - margins.bottom};
     if (frame.width() < 20.0 || frame.height() < 20.0)

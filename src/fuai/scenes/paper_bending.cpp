@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "fuai/core/assertion.h"
 #include "fuai/core/error.h"

@@ -79,7 +79,7 @@ void SolverRelaxation::prepare(const LatticeModel& model, const FabricLaws& laws
   area_weights_ = options.area_weights.value_or(
       options.mode == PaperMode::kAsPrinted ? AreaWeights::kNone : AreaWeights::kEverything);
   const double node_mass = model.areal_mass * model.spacing * model.spacing;
-  node_weight_ = node_mass * kRelaxationGravity;
+  node_weight_ = node_mass * kStandardGravity;
   RelaxationKernel::SetUp set_up;
   set_up.spring_stiffness = spring_stiffness();
   set_up.mobility = steps_.gamma2;

@@ -27,6 +27,7 @@
 #include <optional>
 
 #include "fuai/cloth/lattice.h"
+#include "fuai/core/constants.h"
 #include "fuai/core/progress.h"
 #include "fuai/fabric/laws.h"
 #include "fuai/solver/relaxation_kernel.h"
@@ -49,8 +50,6 @@ struct RelaxationSteps {
   double gamma2 = 0.0;  ///< [m/N]
 };
 
-/// Standard gravity [m/s2], exact by definition (3rd CGPM, 1901).
-inline constexpr double kRelaxationGravity = 9.80665;
 /// Spring stiffness of the reference drape [N/m]: 10 gf/cm, about a thousandth of a real thread's.
 inline constexpr double kRelaxationSpringStiffness = 9.80665;
 
@@ -61,8 +60,8 @@ struct RelaxationOptions {
   double spring_stiffness = kRelaxationSpringStiffness;  ///< k [N/m], > 0; not read when steps are given
   double step_fraction = 0.9;                            ///< of the joint bound, in (0, 1)
   std::optional<RelaxationSteps> steps;                  ///< chosen by the caller; k = 2 gamma1 / gamma2
-  bool allow_unstable = false;                     ///< let steps go beyond the bound, to show what happens
-  Vec3 gravity = {0.0, 0.0, -kRelaxationGravity};  ///< [m/s2]
+  bool allow_unstable = false;                   ///< let steps go beyond the bound, to show what happens
+  Vec3 gravity = {0.0, 0.0, -kStandardGravity};  ///< [m/s2]
 };
 
 /// Bits of RelaxationResult::status.

@@ -4,16 +4,16 @@
 
 #include <numbers>
 
+#include "fuai/core/constants.h"
+
 namespace fuai::unit {
 
-/// Standard gravity [m/s2], exact by definition (3rd CGPM, 1901).
-inline constexpr double kStandardGravity = 9.80665;
-inline constexpr double kGramForce = 9.80665e-3;             ///< [N], exact
-inline constexpr double kCentinewton = 1e-2;                 ///< [N]
-inline constexpr double kCentimetre = 1e-2;                  ///< [m]
-inline constexpr double kMillimetre = 1e-3;                  ///< [m]
-inline constexpr double kMicrometre = 1e-6;                  ///< [m]
-inline constexpr double kDegree = std::numbers::pi / 180.0;  ///< [rad]
+inline constexpr double kGramForce = 1e-3 * kStandardGravity;  ///< [N], exact
+inline constexpr double kCentinewton = 1e-2;                   ///< [N]
+inline constexpr double kCentimetre = 1e-2;                    ///< [m]
+inline constexpr double kMillimetre = 1e-3;                    ///< [m]
+inline constexpr double kMicrometre = 1e-6;                    ///< [m]
+inline constexpr double kDegree = std::numbers::pi / 180.0;    ///< [rad]
 inline constexpr double kPercent = 1e-2;
 
 // KES composites, each derived from the units above.

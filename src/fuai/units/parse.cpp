@@ -4,10 +4,10 @@
 
 #include <charconv>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "fuai/core/error.h"
+#include "fuai/core/text.h"
 #include "fuai/units/constants.h"
 
 namespace fuai {
@@ -166,12 +166,6 @@ class UnitReader {
 
   std::string_view text_, rest_;
 };
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
 
 }  // namespace
 
