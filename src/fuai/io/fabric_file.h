@@ -19,7 +19,7 @@
 namespace fuai {
 
 /// Largest fabric file that is read [bytes]; curves are files of their own.
-inline constexpr std::uint64_t kLargestFabricFile = 1024 * 1024;
+inline constexpr std::uint64_t kLargestFabricFile = 1024ULL * 1024;
 
 /// Reads a fabric file and the curve files beside it. What can be used but looks wrong becomes a sentence in
 /// Fabric::warnings: a value outside the range of real cloth, a WT that disagrees with LT and EMT, crossed
