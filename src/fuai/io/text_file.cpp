@@ -129,7 +129,7 @@ std::filesystem::path target_of(const std::string& path) {
   if (fs::is_directory(status)) fail(path, "this is a directory", "give the name of a file");
   if (!fs::exists(status)) return path;
   if (!fs::is_regular_file(status)) fail(path, "this is not a regular file", "give the name of a file");
-  const fs::path target = fs::canonical(path, code);
+  fs::path target = fs::canonical(path, code);
   if (code) fail(path, "the path cannot be followed: " + code.message(), "choose another place");
   return target;
 }
