@@ -21,7 +21,9 @@ int run_scenes(const Console& console) {
   JsonValue list{JsonValue::Array{}};
   for (const SceneEntry& entry : scene_entries()) {
     const std::string name(entry.name), description(entry.description);
-    console.line(name + std::string(name.size() < 16 ? 16 - name.size() : 1, ' ') + description);
+    std::string line = name;
+    line.append(name.size() < 16 ? 16 - name.size() : 1, ' ').append(description);
+    console.line(line);
     list.push(JsonValue().set("name", name).set("description", description));
   }
   console.result(JsonValue().set("scenes", std::move(list)));

@@ -22,7 +22,8 @@ constexpr int kWidth = 900, kHeight = 675;
 /// helps back.
 double angle_to_flat(const StripRun& run, const PaperBendingStage& stage, const Vec3& force) {
   const auto n = static_cast<std::size_t>(run.grip);
-  const Vec3 flat(run.spacing * (run.columns - 1), run.spacing * static_cast<double>(run.rows / 2), 0.0);
+  const int middle_row = run.rows / 2;
+  const Vec3 flat(run.spacing * (run.columns - 1), run.spacing * middle_row, 0.0);
   const Vec3 back = flat - stage.positions[n];
   const double cosine = back.dot(force) / (back.norm() * force.norm());
   return std::acos(std::clamp(cosine, -1.0, 1.0)) / unit::kDegree;

@@ -41,6 +41,15 @@ std::string decimals(double value, int count) {
   return text;
 }
 
+/// A fitted number in its unit to four significant digits: a hundredth of its standard error, and the same
+/// whatever the last bits of the fit were. @param unit SI value of the unit
+double to_four_digits(double value, double unit) {
+  if (value == 0.0) return 0.0;
+  const double in_unit = value / unit;
+  const double scale = std::pow(10.0, 3.0 - std::floor(std::log10(std::abs(in_unit))));
+  return std::round(in_unit * scale) / scale * unit;
+}
+
 /// The vendor's warning on the bending of a direction: "BendRigidityWarp" -> "low-force".
 std::string vendor_warning(const FabRecord& record, Direction direction) {
   std::string name = to_string(direction);
@@ -62,10 +71,10 @@ void add_bending(const Context& c, Direction direction) {
       return fit.quality + "; standard error " + decimals(error / unit, 4) + " " + name;
     };
     BendingMeasurement& bending = c.fabric.bending[static_cast<std::size_t>(direction)];
-    bending.B = {fit.B,
+    bending.B = {to_four_digits(fit.B, unit::kGfCm2PerCm),
                  {ProvenanceKind::kFitted, source, quality(fit.B_error, unit::kGfCm2PerCm, "gf cm2/cm")}};
     bending.hysteresis_2HB = {
-        fit.hysteresis_2HB,
+        to_four_digits(fit.hysteresis_2HB, unit::kGfCmPerCm),
         {ProvenanceKind::kFitted, source, quality(fit.hysteresis_2HB_error, unit::kGfCmPerCm, "gf cm/cm")}};
     c.report.bending.push_back(std::move(fit));
   } catch (const Error& error) {

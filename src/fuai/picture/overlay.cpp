@@ -141,7 +141,7 @@ void draw_triad(const Sheet& sheet, const ClothPicture& picture) {
 
   cairo_t* cairo = sheet.cairo;
   const double size = sheet.plain.size, length = 2.6 * size, head = 0.55 * size;
-  const Vec2 origin(sheet.margin + 1.9 * length, sheet.height - sheet.margin - 1.4 * length);
+  const Vec2 origin(sheet.margin + 1.9 * length, sheet.height - sheet.margin - 1.9 * length);
   std::vector<Vec2> places;
   for (const Ray& ray : rays) {
     const Vec2 ahead = ray.flat.normalized(), aside(-ahead.y(), ahead.x());
