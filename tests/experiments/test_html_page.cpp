@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "fuai/core/error.h"
 #include "fuai/experiments/html_page.h"
 
 using namespace fuai;
@@ -25,6 +26,12 @@ TEST_SUITE("unit") {
     CHECK(html.find("alt=\"a&quot;\"") != std::string::npos);
     CHECK(html.find("<hr>") != std::string::npos);
     CHECK(html.find("<!DOCTYPE html>") == 0);
+  }
+
+  TEST_CASE("a row that does not fit its header is refused") {
+    HtmlPage page("x");
+    CHECK_THROWS_AS(page.table({{"a", "b"}, {{"1"}}, ""}), Error);
+    CHECK_THROWS_AS(to_csv({{"a"}, {{"1", "2"}}, ""}), Error);
   }
 
   TEST_CASE("CSV quotes what needs it") {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuai/experiments/html_page.h"
 
+#include "fuai/core/error.h"
+
 namespace fuai {
 namespace {
 
@@ -14,6 +16,7 @@ figcaption { color: #444b55; font-size: .93rem; margin-top: .35rem; }
 .gallery div { font-size: .9rem; text-align: center; } .gallery img { width: 100%; }
 table { border-collapse: collapse; margin: 1rem 0; font-size: .93rem; } caption { text-align: left; color: #444b55; padding-bottom: .3rem; }
 th, td { border-bottom: 1px solid #dfe3e8; padding: .25rem .8rem .25rem 0; text-align: right; vertical-align: top; }
+td { white-space: nowrap; }
 th:first-child, td:first-child { text-align: left; } th { border-bottom: 2px solid #9aa3ad; }
 .wide { overflow-x: auto; } code { background: #f2f4f6; padding: 0 .25rem; }
 @media print { body { max-width: none; padding: 0; } h2 { break-after: avoid; } figure, table { break-inside: avoid; } }
@@ -37,6 +40,15 @@ std::string csv_row(const std::vector<std::string>& cells) {
   std::string row;
   for (std::size_t i = 0; i < cells.size(); ++i) row += (i == 0 ? "" : ",") + csv_cell(cells[i]);
   return row + "\n";
+}
+
+void check_table(const HtmlTable& table) {
+  for (const auto& row : table.rows) {
+    if (row.size() == table.header.size()) continue;
+    throw Error(ErrorKind::kCheckFailed, "a table has " + std::to_string(table.header.size()) +
+                                             " headings and a row of " + std::to_string(row.size()) +
+                                             " cells");
+  }
 }
 
 }  // namespace
@@ -69,8 +81,6 @@ void HtmlPage::heading(std::string_view text, std::string_view anchor) {
            "</h2>\n";
 }
 
-void HtmlPage::subheading(std::string_view text) { body_ += cell("h3", text) + "\n"; }
-
 void HtmlPage::paragraph(std::string_view text) { body_ += cell("p", text) + "\n"; }
 
 void HtmlPage::list(const std::vector<std::string>& items) {
@@ -80,6 +90,7 @@ void HtmlPage::list(const std::vector<std::string>& items) {
 }
 
 void HtmlPage::table(const HtmlTable& table) {
+  check_table(table);
   body_ += "<div class=\"wide\"><table>\n";
   if (!table.caption.empty()) body_ += cell("caption", table.caption) + "\n";
   body_ += "<thead><tr>";
@@ -116,6 +127,7 @@ std::string HtmlPage::html() const {
 }
 
 std::string to_csv(const HtmlTable& table) {
+  check_table(table);
   std::string text = csv_row(table.header);
   for (const auto& row : table.rows) text += csv_row(row);
   return text;

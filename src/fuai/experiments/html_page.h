@@ -30,7 +30,6 @@ class HtmlPage {
   explicit HtmlPage(std::string title) : title_(std::move(title)) {}
 
   void heading(std::string_view text, std::string_view anchor = {});
-  void subheading(std::string_view text);
   void paragraph(std::string_view text);
   void list(const std::vector<std::string>& items);
   void table(const HtmlTable& table);
@@ -48,6 +47,7 @@ class HtmlPage {
   std::string title_, body_;
 };
 
+/// Both this and HtmlPage::table() throw Error (kCheckFailed) when a row has not as many cells as the header.
 /// A table as CSV text: commas, quotes where needed, one line a row.
 std::string to_csv(const HtmlTable& table);
 

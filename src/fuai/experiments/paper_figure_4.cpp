@@ -68,6 +68,7 @@ HtmlTable drape_table(const std::vector<Drape>& drapes) {
                   "steps",
                   "residual [node weights]",
                   "converged",
+                  "corner z after 300 steps [cm]",
                   "free corner z [cm]",
                   "side corner z [cm]",
                   "largest stretch [%]",

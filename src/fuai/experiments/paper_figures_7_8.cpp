@@ -107,17 +107,19 @@ class ForceFigure : public PaperFigure {
     page.paragraph(corrected_.fabric.name + " stands for the paper's bending characteristic " + stands_for_ +
                    ": of the measured fabrics its rigidity is nearest to that member of the graded family.");
     context.add_plot("figure" + number_, plots(), 1200, 860);
-    page.figure("figure" + number_ + ".png",
-                "(a) The strip laid on a cylinder, as a hand that could impose any shape would: the printed "
-                "Eq. (7) at the end "
-                "particle is the table's moment at that curvature times the spacing, so it follows the "
-                "measured branch because it "
-                "is the measured branch. (b) The law of the fabric over the whole range of the instrument. "
-                "(c) The strip held at "
-                "one particle, at rest: the true reaction, out to a half turn and back; friction makes the "
-                "way back another one. "
-                "(d) The same as printed: it never rests, the springs' noise is all that is felt.",
-                "curvature against force of " + corrected_.fabric.name);
+    page.figure(
+        "figure" + number_ + ".png",
+        "(a) The strip laid on a cylinder, as a hand that could impose any shape would: the printed "
+        "Eq. (7) at the end "
+        "particle is the table's moment at that curvature times the spacing, so it follows the "
+        "measured branch because it "
+        "is the measured branch. (b) The law of the fabric over the whole range of the instrument. "
+        "(c) The strip held at "
+        "one particle, at rest: the part of the true reaction that pushes the hand back along its "
+        "way, out to a half turn and back; on the way back friction lowers it, and near flat the cloth "
+        "has to be pushed. "
+        "(d) The same as printed: it never rests, the springs' noise is all that is felt.",
+        "curvature against force of " + corrected_.fabric.name);
     context.add_table("figure" + number_ + ".csv", stage_table());
     page.list(
         {"Agrees with the paper: in (a) force against curvature has the shape of the KES curve, and the two "
@@ -174,6 +176,7 @@ class ForceFigure : public PaperFigure {
                     "Eq. (7) bending [gf]",
                     "Eq. (7) springs [gf]",
                     "true reaction [gf]",
+                    "of it pushing back [gf]",
                     "largest stretch [%]",
                     "residual [node weights]"};
     for (const StripRun* run : {&corrected_, &printed_}) {
