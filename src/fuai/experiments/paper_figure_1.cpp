@@ -52,7 +52,7 @@ std::vector<std::string> fit_row(const Fabric& fabric, const BucklingFit& fit) {
           text_of("%.4f", fit.B_alone[0] / unit::kGfCm2PerCm),
           text_of("%.4f", fit.B_alone[1] / unit::kGfCm2PerCm),
           text_of("%.1f", 100.0 * fit.rms_fraction),
-          fit.quality};
+          fit.quality.substr(0, fit.quality.find_first_of(":;"))};
 }
 
 class Figure1 : public PaperFigure {
@@ -142,8 +142,8 @@ class Figure1 : public PaperFigure {
         "Bending laws from the buckling tests. ± is the standard error for independent residuals; B of D1 "
         "and of U1 "
         "alone show the honest spread.";
-    table.header = {"fabric",      "direction",   "B [gf·cm²/cm]", "2HB [gf·cm/cm]",
-                    "B, D1 alone", "B, U1 alone", "quality"};
+    table.header = {"fabric",      "direction",   "B [gf·cm²/cm]",   "2HB [gf·cm/cm]",
+                    "B, D1 alone", "B, U1 alone", "rms [% of span]", "quality"};
     for (std::size_t f = 0; f < kFabFabrics.size(); ++f) {
       for (const BucklingFit& fit : fits_[f]) table.rows.push_back(fit_row(load_fabric(kFabFabrics[f]), fit));
     }
