@@ -177,7 +177,7 @@ class Figure4 : public PaperFigure {
                            "After the paper's 300 updates the free "
                            "corner has sunk by at most " +
                            text_of("%.2f", -lowest->early_corner_z / unit::kCentimetre) +
-                           " cm: in physical units 300 updates are far from rest, so the paper must have "
+                           " cm: in physical units 300 updates are far from rest, so the paper most likely "
                            "used another scale of weight.");
     context.page.list(
         {in_order(graded_)
