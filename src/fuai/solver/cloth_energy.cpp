@@ -197,6 +197,15 @@ ClothEnergy cloth_free_energy(const ClothModel& model, const ClothMaterial& mate
   return pass.energy;
 }
 
+double cloth_kinetic_energy(const ClothModel& model, const ClothState& state) noexcept {
+  double energy = 0.0;
+  for (std::size_t slot = 0; slot < state.velocities.size(); ++slot) {
+    if (model.live[slot] == 0) continue;
+    energy += 0.5 * model.areal_mass * model.node_area[slot] * state.velocities[slot].squaredNorm();
+  }
+  return energy;
+}
+
 void commit_cloth(const ClothModel& model, const ClothMaterial& material, std::span<const Vec3> positions,
                   ClothState& state) noexcept {
   Pass<ClothState, ReadAndCommit> pass{model, material, state, positions, 0.0, {}};

@@ -50,6 +50,9 @@ ClothEnergy evaluate_cloth(const ClothModel& model, const ClothMaterial& materia
 ClothEnergy cloth_free_energy(const ClothModel& model, const ClothMaterial& material, const ClothState& state,
                               const Vec3& gravity) noexcept;
 
+/// sum m v^2 / 2 over the live slots [J]. Thread class: real-time.
+double cloth_kinetic_energy(const ClothModel& model, const ClothState& state) noexcept;
+
 /// Moves the friction memory of the state to the strains at these positions; nothing else of the state
 /// changes. Thread class: real-time.
 void commit_cloth(const ClothModel& model, const ClothMaterial& material, std::span<const Vec3> positions,
