@@ -248,6 +248,7 @@ TEST_SUITE("property") {
     CHECK(solver.failed_steps() == 1);
     CHECK(state.time == 0.0);
     CHECK(state.positions == flat_state(model).positions);
+    CHECK(solver.reaction() == Vec3::Zero());
   }
 
   TEST_CASE("bad set-up is refused") {

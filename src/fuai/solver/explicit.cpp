@@ -161,6 +161,7 @@ std::uint32_t SolverExplicit::step(ClothState& state, double dt,
   take_forces(state);
   if (!is_finite(state)) {
     state = before_;
+    std::fill(forces_.begin(), forces_.end(), Vec3::Zero());
     ++failed_steps_;
     return kExplicitNotFinite;
   }

@@ -51,7 +51,8 @@ class SolverExplicit {
   std::uint32_t step(ClothState& state, double dt, std::span<const Vec3> fixed_positions = {}) noexcept;
 
   /// Elastic, frictional and viscous force of the cloth on each slot at the end of the last step [N] (slots),
-  /// without weight, drag and air. Over fixed slots it sums to the force on what holds them.
+  /// without weight, drag and air; zero after a refused step. Over fixed slots it sums to the force on what
+  /// holds them.
   std::span<const Vec3> internal_forces() const noexcept { return forces_; }
   /// Sum of internal_forces() over the fixed slots [N].
   Vec3 reaction() const noexcept;
