@@ -15,6 +15,7 @@
 #include "fuai/cloth/cloth_model.h"
 #include "fuai/solver/cloth_material.h"
 #include "fuai/solver/implicit_kernels.h"
+#include "fuai/solver/implicit_storage.h"
 
 namespace fuai {
 
@@ -66,10 +67,6 @@ class SolverImplicit {
   /// @throws Error (kUsage) for options out of range. Thread class: set-up.
   SolverImplicit(const ClothModel& model, const ClothMaterial& material, const ImplicitOptions& options,
                  std::size_t attachments = 0);
-  ~SolverImplicit();
-  SolverImplicit(SolverImplicit&&) noexcept;
-  SolverImplicit& operator=(SolverImplicit&&) noexcept;
-
   /// Takes over a state. Thread class: set-up.
   void restore(const ClothState& state);
   /// Copies the state out; restore() of it continues bit for bit. Thread class: set-up.
@@ -97,22 +94,28 @@ class SolverImplicit {
   const char* target() const noexcept { return kernels_->target; }
 
  private:
-  struct Storage;
+  void begin_step(double dt) noexcept;
   void evaluate(Evaluation what) noexcept;
-  void apply_attachments(bool linearise) noexcept;
-  double start(StepReport& report) noexcept;
-  double solve(double residual, StepReport& report, double& slope) noexcept;
-  double line_search(double slope, StepReport& report) noexcept;
-  double mobile_force() noexcept;
-  double sum_rows() const noexcept;
-  void keep_last_good(StepReport& report) noexcept;
+  void add_attachments(bool linearise) noexcept;
+  void start(StepReport& report) noexcept;
+  double solve(StepReport& report) noexcept;
+  void search_back(double slope, StepReport& report) noexcept;
+  void give_up() noexcept;
+  template <class Kernel, class... Arguments>
+  double rows(Kernel kernel, const Arguments&... arguments) noexcept;
+  template <class Kernel, class... Arguments>
+  void vectors(Kernel kernel, int count, const Arguments&... arguments) noexcept;
 
   const ImplicitKernels<T>* kernels_ = nullptr;
-  std::unique_ptr<Storage> storage_;
+  std::unique_ptr<ImplicitStorage<T>> storage_;
   ImplicitGrid<T> grid_;
   ImplicitConstants<T> constants_;
   ImplicitStepConstants<T> step_;
   ImplicitOptions options_;
+  std::vector<T> scratch_;
+  std::vector<Attachment> attachments_;
+  std::size_t attached_ = 0;
+  int columns_ = 0;
   double time_ = 0.0;
 };
 

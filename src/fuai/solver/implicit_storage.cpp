@@ -88,8 +88,8 @@ void ImplicitStorage<T>::fill_constants(const ClothModel& model, const ClothMate
     k.free_edge_weft = static_cast<T>(square / material.warp_bending.elastic().evaluate(0.0).slope);
     k.free_edge_warp = static_cast<T>(square / material.weft_bending.elastic().evaluate(0.0).slope);
   }
-  k.viscosity_weft = static_cast<T>(material.weft_viscosity());
-  k.viscosity_warp = static_cast<T>(material.warp_viscosity());
+  k.viscosity_weft = static_cast<T>(tension_viscosity(material.weft_tension, material.viscosity_time));
+  k.viscosity_warp = static_cast<T>(tension_viscosity(material.warp_tension, material.viscosity_time));
   k.areal_mass = static_cast<T>(model.areal_mass);
   k.mass_drag = static_cast<T>(material.mass_drag);
   k.air_normal = static_cast<T>(0.5 * material.air_density * material.air_normal);
