@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <doctest/doctest.h>
+
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -30,6 +32,11 @@ inline Polygon sleeve_outline(int samples = 200) {
   });
   curve([&](double t) { return Vec2(-seam(1.0 - t), length * (1.0 - t)); });
   return outline;
+}
+
+/// A value within a relative tolerance; doctest's own is absolute below 1.
+inline doctest::Approx relative(double value, double tolerance) {
+  return doctest::Approx(value).epsilon(tolerance).scale(0.0);
 }
 
 inline double sum(const std::vector<double>& values) {

@@ -8,14 +8,14 @@
 #include <numeric>
 #include <string>
 
+#include "cloth/piece_shapes.h"
 #include "fuai/cloth/cloth_piece.h"
 #include "fuai/core/error.h"
 
 using namespace fuai;
+using namespace fuai::test;
 
 namespace {
-
-double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 std::size_t index(const ClothModel& m, int column, int row) {
   return static_cast<std::size_t>(m.slot(column, row));
@@ -63,7 +63,7 @@ TEST_SUITE("unit") {
         const double across_y = row == 0 || row == 3 ? 0.5 : 1.0;
         CHECK(m.live[i] == 1);
         CHECK(m.fixed[i] == 0);
-        CHECK(m.node_area[i] == doctest::Approx(across_x * across_y * cell).epsilon(1e-14));
+        CHECK(m.node_area[i] == relative(across_x * across_y * cell, 1e-14));
         CHECK(std::abs(m.cell_area[i] - (column < 5 && row < 3 ? cell : 0.0)) <= near);
         CHECK(std::abs(m.weft_edge_area[i] - (column < 5 ? across_y * cell : 0.0)) <= near);
         CHECK(std::abs(m.warp_edge_area[i] - (row < 3 ? across_x * cell : 0.0)) <= near);
@@ -82,7 +82,7 @@ TEST_SUITE("unit") {
     for (double width : {0.05 * (1.0 - 1e-9), 0.05 * (1.0 + 1e-9), 0.1 + 0.2, 1.1 * 0.3}) {
       const ClothModel m = make_cloth_model(rectangle(width, 0.03, 0.01));
       CHECK(m.columns == static_cast<int>(std::lround(width / 0.01)) + 1);
-      CHECK(m.node_area[index(m, m.columns - 1, 1)] == doctest::Approx(0.5e-4).epsilon(1e-12));
+      CHECK(m.node_area[index(m, m.columns - 1, 1)] == relative(0.5e-4, 1e-12));
       CHECK(m.weft_bend_area[index(m, m.columns - 1, 1)] == 0.0);
     }
   }
@@ -93,14 +93,14 @@ TEST_SUITE("unit") {
     REQUIRE(m.columns == 7);
     CHECK(m.live[index(m, 6, 1)] == 0);
     CHECK(m.node_area[index(m, 6, 1)] == 0.0);
-    CHECK(m.cell_area[index(m, 4, 1)] == doctest::Approx(1.05e-4).epsilon(1e-12));
-    CHECK(sum(m.cell_area) == doctest::Approx(0.0505 * 0.03).epsilon(1e-12));
+    CHECK(m.cell_area[index(m, 4, 1)] == relative(1.05e-4, 1e-12));
+    CHECK(sum(m.cell_area) == relative(0.0505 * 0.03, 1e-12));
     // 15 %: kept; the slot outside lives, and its bending goes to the last triple.
     const ClothModel kept = make_cloth_model(rectangle(0.0515, 0.03, 0.01));
     CHECK(kept.live[index(kept, 6, 1)] == 1);
     CHECK(kept.weft_bend_area[index(kept, 6, 1)] == 0.0);
-    CHECK(kept.node_area[index(kept, 6, 1)] == doctest::Approx(0.075e-4).epsilon(1e-11));
-    CHECK(kept.weft_bend_area[index(kept, 5, 1)] == doctest::Approx((0.575 + 0.075) * 1e-4).epsilon(1e-12));
+    CHECK(kept.node_area[index(kept, 6, 1)] == relative(0.075e-4, 1e-11));
+    CHECK(kept.weft_bend_area[index(kept, 5, 1)] == relative((0.575 + 0.075) * 1e-4, 1e-12));
   }
 
   TEST_CASE("a disc: sums equal its area") {
@@ -112,7 +112,7 @@ TEST_SUITE("unit") {
       const ClothModel m = make_cloth_model(spec);
       const double area = std::numbers::pi * 0.0225;
       for (const auto* areas : {&m.node_area, &m.cell_area, &m.weft_edge_area, &m.warp_edge_area}) {
-        CHECK(sum(*areas) == doctest::Approx(area).epsilon(1e-12));  // rounding of a thousand terms
+        CHECK(sum(*areas) == relative(area, 1e-12));  // rounding of a thousand terms
       }
     }
   }
@@ -130,8 +130,8 @@ TEST_SUITE("unit") {
       int fixed = 0;
       for (int column = 0; column < m.columns; ++column) fixed += m.fixed[index(m, column, 3)];
       CHECK(fixed == c.fixed);
-      CHECK(m.weft_bend_length[index(m, c.fixed - 1, 3)] == doctest::Approx(0.01 * c.share).epsilon(1e-9));
-      CHECK(m.weft_bend_area[index(m, c.fixed - 1, 3)] == doctest::Approx(1e-4 * c.share).epsilon(1e-9));
+      CHECK(m.weft_bend_length[index(m, c.fixed - 1, 3)] == relative(0.01 * c.share, 1e-9));
+      CHECK(m.weft_bend_area[index(m, c.fixed - 1, 3)] == relative(1e-4 * c.share, 1e-9));
       CHECK(m.weft_bend_length[index(m, c.fixed, 3)] == 0.01);
       CHECK(m.warp_bend_length[index(m, c.fixed - 1, 3)] == 0.01);  // these yarns do not leave the clamp
     }
@@ -146,12 +146,12 @@ TEST_SUITE("unit") {
     spec.clamps.push_back({DiscRegion{Vec2(0.1, 0.1), 0.052}, true});
     const ClothModel disc = make_cloth_model(spec);
     // Through the centre s = 0.2; three yarns up the circle is reached at sqrt(5.2^2 - 3^2) = 4.2474.
-    CHECK(disc.weft_bend_length[index(disc, 15, 10)] == doctest::Approx(0.003).epsilon(1e-9));
-    CHECK(disc.weft_bend_length[index(disc, 5, 10)] == doctest::Approx(0.003).epsilon(1e-9));
+    CHECK(disc.weft_bend_length[index(disc, 15, 10)] == relative(0.003, 1e-9));
+    CHECK(disc.weft_bend_length[index(disc, 5, 10)] == relative(0.003, 1e-9));
     CHECK(disc.fixed[index(disc, 14, 13)] == 1);
     CHECK(disc.fixed[index(disc, 15, 13)] == 0);
     const double s = std::sqrt(5.2 * 5.2 - 9.0) - 4.0;
-    CHECK(disc.weft_bend_length[index(disc, 14, 13)] == doctest::Approx(0.01 * (0.5 - s)).epsilon(1e-9));
+    CHECK(disc.weft_bend_length[index(disc, 14, 13)] == relative(0.01 * (0.5 - s), 1e-9));
     for (const bool as_polygon : {false, true}) {
       spec.clamps.clear();
       PolygonRegion box = make_rectangle_region(Vec2(0.05, 0.06), Vec2(0.128, 0.15));
@@ -159,10 +159,9 @@ TEST_SUITE("unit") {
       spec.clamps.push_back({box, true});
       const ClothModel m = make_cloth_model(spec);
       CHECK(m.fixed[index(m, 13, 10)] == 1);  // 0.2 of a spacing outside: s = -0.2
-      CHECK(m.weft_bend_length[index(m, 13, 10)] == doctest::Approx(0.007).epsilon(1e-9));
-      CHECK(m.weft_bend_length[index(m, 5, 10)] ==
-            doctest::Approx(0.005).epsilon(1e-9));  // on the edge: s = 0
-      CHECK(m.warp_bend_length[index(m, 10, 6)] == doctest::Approx(0.005).epsilon(1e-9));
+      CHECK(m.weft_bend_length[index(m, 13, 10)] == relative(0.007, 1e-9));
+      CHECK(m.weft_bend_length[index(m, 5, 10)] == relative(0.005, 1e-9));  // on the edge: s = 0
+      CHECK(m.warp_bend_length[index(m, 10, 6)] == relative(0.005, 1e-9));
       CHECK(m.fixed[index(m, 4, 10)] == 0);
     }
   }
@@ -190,7 +189,7 @@ TEST_SUITE("unit") {
       CHECK(state.positions[i] == Vec3(flat.x(), flat.y(), 0.0));
       CHECK(state.velocities[i] == Vec3::Zero());
     }
-    CHECK(m.origin.x() == doctest::Approx(-0.0075));
+    CHECK(m.origin.x() == relative(-0.0075, 1e-12));
     for (const auto* memory :
          {&state.weft_bending, &state.warp_bending, &state.shear, &state.weft_tension, &state.warp_tension}) {
       CHECK(memory->size() == m.live.size());

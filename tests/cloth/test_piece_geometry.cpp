@@ -248,7 +248,7 @@ TEST_SUITE("unit") {
       }
       // A crack inside would show as more border. Tolerance: sides shorter than rounding are not
       // triangulated.
-      CHECK(border == doctest::Approx(polygon_perimeter(m.outline)).epsilon(1e-9));
+      CHECK(border == relative(polygon_perimeter(m.outline), 1e-9));
       const std::vector<Vec3> moved = rolled(m);
       update_piece_mesh(piece, moved);
       const PieceMesh anew = make_piece_mesh(m, moved);

@@ -11,23 +11,21 @@ namespace {
 
 /// A run of corners on one side of the line, with the crossing that leads into it.
 struct Chain {
-  bool high = false;                  ///< side of the line; a corner on the line counts as low
-  std::pair<double, double> place{};  ///< of the crossing along the line, and of its edge just above it
+  bool high = false;  ///< side of the line; a corner on the line counts as low
   Vec2 crossing = Vec2::Zero();
   Polygon corners;
   std::size_t partner = 0;  ///< the chain whose crossing is the other end of the cut
 };
 
-/// Where the edge from p to q meets the line, and the order of that place along the line: at the same place
-/// the edge that leans less comes first.
-void set_crossing(Chain& chain, const Vec2& p, const Vec2& q, int axis, double at) {
-  // From the low to the high end, so that the way the polygon runs makes no difference.
-  const Vec2 &a = chain.high ? p : q, &b = chain.high ? q : p;
+/// Where an edge from its low to its high end meets the line x = at (axis 0) or y = at (axis 1): exactly in
+/// the low end when that lies on the line.
+Vec2 crossing_of(const Vec2& low, const Vec2& high, int axis, double at) {
   const int along = 1 - axis;
-  const double share = (at - a[axis]) / (b[axis] - a[axis]);
-  chain.crossing[axis] = at;
-  chain.crossing[along] = a[along] + share * (b[along] - a[along]);
-  chain.place = {chain.crossing[along], (b[along] - a[along]) / (b[axis] - a[axis])};
+  const double share = (at - low[axis]) / (high[axis] - low[axis]);
+  Vec2 crossing;
+  crossing[axis] = at;
+  crossing[along] = low[along] + share * (high[along] - low[along]);
+  return crossing;
 }
 
 /// The polygon as chains in its order; at least two.
@@ -41,7 +39,8 @@ std::vector<Chain> make_chains(const Polygon& polygon, int axis, double at) {
     const Vec2 &before = polygon[(first + k + n - 1) % n], &here = polygon[(first + k) % n];
     if (is_high(here) != is_high(before)) {
       chains.emplace_back().high = is_high(here);
-      set_crossing(chains.back(), before, here, axis, at);
+      chains.back().crossing =
+          is_high(here) ? crossing_of(before, here, axis, at) : crossing_of(here, before, axis, at);
     }
     chains.back().corners.push_back(here);
   }
@@ -49,13 +48,16 @@ std::vector<Chain> make_chains(const Polygon& polygon, int axis, double at) {
 }
 
 /// Pairs the crossings. A simple polygon crosses a line alternately upward and downward, so the k-th of one
-/// kind belongs to the k-th of the other, whatever rounding does to two that lie close together.
-void pair_crossings(std::vector<Chain>& chains) {
+/// kind belongs to the k-th of the other; an upward and a downward one in the same place (a corner on the
+/// line) or in the wrong order by rounding do no harm.
+void pair_crossings(std::vector<Chain>& chains, int axis) {
+  const int along = 1 - axis;
   std::vector<std::size_t> of_kind[2];
   for (std::size_t i = 0; i < chains.size(); ++i) of_kind[chains[i].high ? 1 : 0].push_back(i);
   for (auto& list : of_kind) {
-    std::sort(list.begin(), list.end(),
-              [&](std::size_t a, std::size_t b) { return chains[a].place < chains[b].place; });
+    std::sort(list.begin(), list.end(), [&](std::size_t a, std::size_t b) {
+      return chains[a].crossing[along] < chains[b].crossing[along];
+    });
   }
   for (std::size_t k = 0; k < of_kind[0].size(); ++k) {
     chains[of_kind[0][k]].partner = of_kind[1][k];
@@ -85,7 +87,7 @@ SplitPolygon split_polygon(const Polygon& polygon, int axis, double at) {
     return split;
   }
   std::vector<Chain> chains = make_chains(polygon, axis, at);
-  pair_crossings(chains);
+  pair_crossings(chains, axis);
   // Follow a chain to its last crossing, go along the line to the partner, and so on until the loop closes.
   std::vector<bool> done(chains.size(), false);
   for (std::size_t start = 0; start < chains.size(); ++start) {
