@@ -1,0 +1,193 @@
+// Builds models of cloth pieces: cells, areas, fixed slots; bending and border have their own files.
+// SPDX-License-Identifier: Apache-2.0
+#include "fuai/cloth/cloth_piece.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "fuai/cloth/cloth_border.h"
+#include "fuai/cloth/cut_cells.h"
+#include "fuai/cloth/piece_bending.h"
+#include "fuai/core/error.h"
+
+namespace fuai {
+namespace {
+
+/// A pin further from the nearest slot than this has missed the cloth [spacings]: a diagonal of a cell.
+constexpr double kPinReach = 1.5;
+
+std::size_t at(int slot) { return static_cast<std::size_t>(slot); }
+
+void check_numbers(const ClothPieceSpec& spec) {
+  if (!(spec.spacing > 0.0) || !std::isfinite(spec.spacing)) {
+    throw Error(ErrorKind::kUsage, "the spacing of the yarns must be positive", {"", 0, 0, "spacing"},
+                "give metres, for example 0.005");
+  }
+  if (!(spec.areal_mass >= 0.0) || !std::isfinite(spec.areal_mass)) {
+    throw Error(ErrorKind::kUsage, "the mass of a cloth must not be negative", {"", 0, 0, "areal_mass"},
+                "give kilograms per square metre, for example 0.15");
+  }
+  if (!spec.lattice_shift.allFinite()) {
+    throw Error(ErrorKind::kUsage, "the shift of the lattice is not finite", {"", 0, 0, "lattice_shift"},
+                "give parts of a spacing, 0 to 1");
+  }
+  for (const Clamp& clamp : spec.clamps) check_region(clamp.region);
+}
+
+[[noreturn]] void refuse_coarse(const char* what) {
+  throw Error(ErrorKind::kUsage, what, {"", 0, 0, "spacing"},
+              "take a smaller spacing: the narrowest part of the piece should span several");
+}
+
+/// Size and place of the lattice, such that the outline lies within it.
+void place_lattice(const ClothPieceSpec& spec, const Polygon& outline, ClothModel& model) {
+  const double inf = std::numeric_limits<double>::infinity();
+  Vec2 low(inf, inf), high(-inf, -inf);
+  for (const Vec2& p : outline) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  int slots[2];
+  for (int axis : {0, 1}) {
+    const double shift = spec.lattice_shift[axis] - std::floor(spec.lattice_shift[axis]);
+    model.origin[axis] = low[axis] + spec.spacing * (shift > 0.0 ? shift - 1.0 : 0.0);
+    const double cells = std::ceil((high[axis] - model.origin[axis]) / spec.spacing - kLatticeSnap);
+    if (!(cells < kMostSlotsASide)) {
+      throw Error(
+          ErrorKind::kUsage,
+          "the spacing is so small that a side needs more than " + std::to_string(kMostSlotsASide) + " yarns",
+          {"", 0, 0, "spacing"}, "take a larger spacing, or check that outline and spacing are in metres");
+    }
+    slots[axis] = static_cast<int>(cells) + 1;
+  }
+  if (slots[0] < 2 || slots[1] < 2) refuse_coarse("the piece is narrower than a spacing");
+  model.columns = slots[0];
+  model.rows = slots[1];
+  model.spacing = spec.spacing;
+  model.areal_mass = spec.areal_mass;
+}
+
+/// Areas of the kept cells; what lies in dropped ones goes to the kept cell nearest to its centroid, which
+/// for a sliver is the one it shares its longest side with.
+void fill_cells(const Polygon& outline, ClothModel& model) {
+  const CutCells cells = make_cut_cells(outline, model.columns, model.rows);
+  std::vector<double>& share = model.cell_area;  // in cells until the end
+  share.assign(cells.full.begin(), cells.full.end());
+  for (const CutPiece& piece : cells.pieces) share[at(piece.cell)] += polygon_area(piece.polygon);
+  for (double& s : share) s = s < kLeastCellShare ? 0.0 : s;
+  std::vector<double> given(share.size(), 0.0);
+  for (const CutPiece& piece : cells.pieces) {
+    const double area = polygon_area(piece.polygon);
+    if (share[at(piece.cell)] > 0.0 || !(area > 0.0)) continue;
+    const int taker = nearest_cell(model, polygon_centroid(piece.polygon));
+    if (taker < 0) refuse_coarse("no cell of the lattice has enough of the piece");
+    given[at(taker)] += area;
+  }
+  for (std::size_t i = 0; i < share.size(); ++i)
+    share[i] = (share[i] + given[i]) * model.spacing * model.spacing;
+}
+
+/// Every cell gives a quarter of its cloth to each corner and half to each pair of sides.
+void share_cells(ClothModel& model) {
+  const auto count = at(model.slot_count());
+  for (auto* area : {&model.node_area, &model.weft_edge_area, &model.warp_edge_area})
+    area->assign(count, 0.0);
+  model.live.assign(count, 0);
+  model.fixed.assign(count, 0);
+  const int up = model.columns;
+  for (int row = 0; row + 1 < model.rows; ++row) {
+    for (int column = 0; column + 1 < model.columns; ++column) {
+      const int cell = model.slot(column, row);
+      const double area = model.cell_area[at(cell)];
+      if (!(area > 0.0)) continue;
+      for (int slot : {cell, cell + 1, cell + up, cell + up + 1}) {
+        model.live[at(slot)] = 1;
+        model.node_area[at(slot)] += 0.25 * area;
+      }
+      for (int slot : {cell, cell + up}) model.weft_edge_area[at(slot)] += 0.5 * area;
+      for (int slot : {cell, cell + 1}) model.warp_edge_area[at(slot)] += 0.5 * area;
+    }
+  }
+}
+
+/// The piece hangs together: a walk along yarns with cloth reaches every live slot.
+void check_connected(const ClothModel& model) {
+  std::vector<std::uint8_t> waiting = model.live;
+  std::vector<int> front;
+  const auto visit = [&](int slot, double edge_area) {
+    if (!(edge_area > 0.0) || waiting[at(slot)] == 0) return;
+    waiting[at(slot)] = 0;
+    front.push_back(slot);
+  };
+  for (int slot = 0; front.empty() && slot < model.slot_count(); ++slot) visit(slot, 1.0);
+  while (!front.empty()) {
+    const int slot = front.back();
+    front.pop_back();
+    visit(slot + 1 < model.slot_count() ? slot + 1 : slot, model.weft_edge_area[at(slot)]);
+    visit(slot + model.columns < model.slot_count() ? slot + model.columns : slot,
+          model.warp_edge_area[at(slot)]);
+    if (slot >= 1) visit(slot - 1, model.weft_edge_area[at(slot - 1)]);
+    if (slot >= model.columns) visit(slot - model.columns, model.warp_edge_area[at(slot - model.columns)]);
+  }
+  for (std::uint8_t w : waiting) {
+    if (w != 0) refuse_coarse("the piece falls apart: a neck of the outline is lost between the yarns");
+  }
+}
+
+void fix_clamped_slots(const ClothPieceSpec& spec, ClothModel& model) {
+  for (const Clamp& clamp : spec.clamps) {
+    bool holds = false;
+    for (int slot = 0; slot < model.slot_count(); ++slot) {
+      if (model.live[at(slot)] == 0 || !clamp_holds(clamp, model, slot)) continue;
+      model.fixed[at(slot)] = 1;
+      holds = true;
+    }
+    if (!holds) {
+      throw Error(ErrorKind::kUsage, "a clamp holds no cloth", {"", 0, 0, "clamps"},
+                  "move it onto the piece; regions are in the coordinates of the outline, in metres");
+    }
+  }
+}
+
+void fix_pinned_slots(const ClothPieceSpec& spec, ClothModel& model) {
+  for (const Vec2& pin : spec.pins) {
+    int nearest = -1;
+    double least = kPinReach * kPinReach * model.spacing * model.spacing;
+    for (int slot = 0; slot < model.slot_count(); ++slot) {
+      const double distance =
+          (model.material(slot % model.columns, slot / model.columns) - pin).squaredNorm();
+      if (model.live[at(slot)] == 0 || !(distance < least)) continue;
+      least = distance;
+      nearest = slot;
+    }
+    if (nearest < 0) {
+      throw Error(ErrorKind::kUsage, "a pin misses the cloth", {"", 0, 0, "pins"},
+                  "move it onto the piece; pins are in the coordinates of the outline, in metres");
+    }
+    model.fixed[at(nearest)] = 1;
+  }
+}
+
+}  // namespace
+
+ClothModel make_cloth_model(const ClothPieceSpec& spec) {
+  check_numbers(spec);
+  const Polygon outline = make_outline(spec.outline);
+  ClothModel model;
+  place_lattice(spec, outline, model);
+  const Polygon lattice_outline = to_lattice(outline, model.origin, model.spacing);
+  for (const Vec2& p : lattice_outline) model.outline.push_back(model.origin + model.spacing * p);
+  fill_cells(lattice_outline, model);
+  share_cells(model);
+  check_connected(model);
+  if (!fill_bending(lattice_outline, model))
+    refuse_coarse("no yarn of the piece is long enough to bend both ways");
+  fix_clamped_slots(spec, model);
+  fix_pinned_slots(spec, model);
+  cut_bending_at_clamps(spec.clamps, model);
+  model.border = make_border(lattice_outline, model);
+  return model;
+}
+
+}  // namespace fuai

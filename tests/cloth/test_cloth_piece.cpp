@@ -1,0 +1,253 @@
+// Cloth pieces: areas, weights, clamps, pins, refusals.
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <string>
+
+#include "cloth/piece_shapes.h"
+#include "fuai/cloth/cloth_piece.h"
+#include "fuai/core/error.h"
+
+using namespace fuai;
+using namespace fuai::test;
+
+namespace {
+
+std::size_t index(const ClothModel& m, int column, int row) {
+  return static_cast<std::size_t>(m.slot(column, row));
+}
+
+ClothPieceSpec rectangle(double width, double height, double spacing) {
+  ClothPieceSpec spec;
+  spec.outline = make_rectangle_outline(width, height);
+  spec.spacing = spacing;
+  spec.areal_mass = 0.15;
+  return spec;
+}
+
+/// 21 x 11 slots, 1 cm apart, held by a half plane x <= edge.
+ClothModel held_strip(double edge, bool sub_cell = true) {
+  ClothPieceSpec spec = rectangle(0.2, 0.1, 0.01);
+  spec.clamps.push_back({HalfPlaneRegion{Vec2::UnitX(), edge}, sub_cell});
+  return make_cloth_model(spec);
+}
+
+void check_refused(const ClothPieceSpec& spec, ErrorKind kind, const std::string& word) {
+  try {
+    make_cloth_model(spec);
+    FAIL("not refused: " << word);
+  } catch (const Error& error) {
+    CHECK(error.kind() == kind);
+    CHECK(std::string(error.what()).find(word) != std::string::npos);
+    CHECK_FALSE(error.cure().empty());
+  }
+}
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("a rectangle on the lattice has the classical weights") {
+    const ClothModel m = make_cloth_model(rectangle(0.05, 0.03, 0.01));
+    REQUIRE(m.columns == 6);
+    REQUIRE(m.rows == 4);
+    const double cell = 1e-4;
+    const double near = 1e-14 * cell;  // rounding of the spacing squared
+    for (int row = 0; row < 4; ++row) {
+      for (int column = 0; column < 6; ++column) {
+        const std::size_t i = index(m, column, row);
+        const double across_x = column == 0 || column == 5 ? 0.5 : 1.0;
+        const double across_y = row == 0 || row == 3 ? 0.5 : 1.0;
+        CHECK(m.live[i] == 1);
+        CHECK(m.fixed[i] == 0);
+        CHECK(m.node_area[i] == relative(across_x * across_y * cell, 1e-14));
+        CHECK(std::abs(m.cell_area[i] - (column < 5 && row < 3 ? cell : 0.0)) <= near);
+        CHECK(std::abs(m.weft_edge_area[i] - (column < 5 ? across_y * cell : 0.0)) <= near);
+        CHECK(std::abs(m.warp_edge_area[i] - (row < 3 ? across_x * cell : 0.0)) <= near);
+        CHECK(std::abs(m.weft_bend_area[i] - (across_x == 1.0 ? across_y * cell : 0.0)) <= near);
+        CHECK(std::abs(m.warp_bend_area[i] - (across_y == 1.0 ? across_x * cell : 0.0)) <= near);
+        CHECK(m.weft_bend_length[i] == 0.01);
+        CHECK(m.warp_bend_length[i] == 0.01);
+      }
+    }
+    // Four corners and the yarns between them, all in slots.
+    CHECK(m.border.size() == 2 * (5 + 3));
+    for (const MaterialPoint& p : m.border) CHECK(p.weights[0] == 1.0);
+  }
+
+  TEST_CASE("a side that differs from a whole number of spacings by rounding gets no sliver of a cell") {
+    for (double width : {0.05 * (1.0 - 1e-9), 0.05 * (1.0 + 1e-9), 0.1 + 0.2, 1.1 * 0.3}) {
+      const ClothModel m = make_cloth_model(rectangle(width, 0.03, 0.01));
+      CHECK(m.columns == static_cast<int>(std::lround(width / 0.01)) + 1);
+      CHECK(m.node_area[index(m, m.columns - 1, 1)] == relative(0.5e-4, 1e-12));
+      CHECK(m.weft_bend_area[index(m, m.columns - 1, 1)] == 0.0);
+    }
+  }
+
+  TEST_CASE("cells with less than a tenth inside give their cloth to the neighbour") {
+    // The last column holds 5 % of a cell: dropped, and its slots are dead.
+    const ClothModel m = make_cloth_model(rectangle(0.0505, 0.03, 0.01));
+    REQUIRE(m.columns == 7);
+    CHECK(m.live[index(m, 6, 1)] == 0);
+    CHECK(m.node_area[index(m, 6, 1)] == 0.0);
+    CHECK(m.cell_area[index(m, 4, 1)] == relative(1.05e-4, 1e-12));
+    CHECK(sum(m.cell_area) == relative(0.0505 * 0.03, 1e-12));
+    // 15 %: kept; the slot outside lives, and its bending goes to the last triple.
+    const ClothModel kept = make_cloth_model(rectangle(0.0515, 0.03, 0.01));
+    CHECK(kept.live[index(kept, 6, 1)] == 1);
+    CHECK(kept.weft_bend_area[index(kept, 6, 1)] == 0.0);
+    CHECK(kept.node_area[index(kept, 6, 1)] == relative(0.075e-4, 1e-11));
+    CHECK(kept.weft_bend_area[index(kept, 5, 1)] == relative((0.575 + 0.075) * 1e-4, 1e-12));
+  }
+
+  TEST_CASE("a disc: sums equal its area") {
+    for (double shift : {0.0, 0.13, 0.5, 0.77}) {
+      ClothPieceSpec spec;
+      spec.outline = make_disc_outline(0.3);
+      spec.spacing = 0.01;
+      spec.lattice_shift = Vec2(shift, 1.0 - 0.6 * shift);
+      const ClothModel m = make_cloth_model(spec);
+      const double area = std::numbers::pi * 0.0225;
+      for (const auto* areas : {&m.node_area, &m.cell_area, &m.weft_edge_area, &m.warp_edge_area}) {
+        CHECK(sum(*areas) == relative(area, 1e-12));  // rounding of a thousand terms
+      }
+    }
+  }
+
+  TEST_CASE("clamps: the free part of a triple at the edge of a half plane") {
+    struct Case {
+      double edge;   // [cells]
+      int fixed;     // columns
+      double share;  // of the spacing that bends in the last fixed slot
+    };
+    // 1/2 - s, limited to 1/4 and 1/0.7; the last fixed column is less than half a cell beyond the edge.
+    for (const Case& c : {Case{4.0, 5, 0.5}, Case{4.2, 5, 0.3}, Case{4.4, 5, 0.25}, Case{4.5, 5, 0.25},
+                          Case{4.7, 6, 0.8}, Case{4.501, 6, 0.999}}) {
+      const ClothModel m = held_strip(0.01 * c.edge);
+      int fixed = 0;
+      for (int column = 0; column < m.columns; ++column) fixed += m.fixed[index(m, column, 3)];
+      CHECK(fixed == c.fixed);
+      CHECK(m.weft_bend_length[index(m, c.fixed - 1, 3)] == relative(0.01 * c.share, 1e-9));
+      CHECK(m.weft_bend_area[index(m, c.fixed - 1, 3)] == relative(1e-4 * c.share, 1e-9));
+      CHECK(m.weft_bend_length[index(m, c.fixed, 3)] == 0.01);
+      CHECK(m.warp_bend_length[index(m, c.fixed - 1, 3)] == 0.01);  // these yarns do not leave the clamp
+    }
+    const ClothModel plain = held_strip(0.048, false);
+    CHECK(plain.fixed[index(plain, 4, 3)] == 1);
+    CHECK(plain.fixed[index(plain, 5, 3)] == 0);
+    CHECK(plain.weft_bend_length[index(plain, 4, 3)] == 0.01);
+  }
+
+  TEST_CASE("clamps: disc, rectangle and polygon measure along the yarn") {
+    ClothPieceSpec spec = rectangle(0.2, 0.2, 0.01);
+    spec.clamps.push_back({DiscRegion{Vec2(0.1, 0.1), 0.052}, true});
+    const ClothModel disc = make_cloth_model(spec);
+    // Through the centre s = 0.2; three yarns up the circle is reached at sqrt(5.2^2 - 3^2) = 4.2474.
+    CHECK(disc.weft_bend_length[index(disc, 15, 10)] == relative(0.003, 1e-9));
+    CHECK(disc.weft_bend_length[index(disc, 5, 10)] == relative(0.003, 1e-9));
+    CHECK(disc.fixed[index(disc, 14, 13)] == 1);
+    CHECK(disc.fixed[index(disc, 15, 13)] == 0);
+    const double s = std::sqrt(5.2 * 5.2 - 9.0) - 4.0;
+    CHECK(disc.weft_bend_length[index(disc, 14, 13)] == relative(0.01 * (0.5 - s), 1e-9));
+    for (const bool as_polygon : {false, true}) {
+      spec.clamps.clear();
+      PolygonRegion box = make_rectangle_region(Vec2(0.05, 0.06), Vec2(0.128, 0.15));
+      if (as_polygon) box.corners.insert(box.corners.begin() + 1, Vec2(0.09, 0.06));
+      spec.clamps.push_back({box, true});
+      const ClothModel m = make_cloth_model(spec);
+      CHECK(m.fixed[index(m, 13, 10)] == 1);  // 0.2 of a spacing outside: s = -0.2
+      CHECK(m.weft_bend_length[index(m, 13, 10)] == relative(0.007, 1e-9));
+      CHECK(m.weft_bend_length[index(m, 5, 10)] == relative(0.005, 1e-9));  // on the edge: s = 0
+      CHECK(m.warp_bend_length[index(m, 10, 6)] == relative(0.005, 1e-9));
+      CHECK(m.fixed[index(m, 4, 10)] == 0);
+    }
+  }
+
+  TEST_CASE("a clamp one slot wide keeps whole triples; pins fix the nearest slot") {
+    ClothPieceSpec spec = rectangle(0.2, 0.2, 0.01);
+    spec.clamps.push_back({DiscRegion{Vec2(0.1, 0.1), 0.001}, true});
+    spec.pins.push_back(Vec2(0.034, 0.046));
+    const ClothModel m = make_cloth_model(spec);
+    CHECK(std::accumulate(m.fixed.begin(), m.fixed.end(), 0) == 2);
+    CHECK(m.fixed[index(m, 10, 10)] == 1);
+    CHECK(m.weft_bend_length[index(m, 10, 10)] == 0.01);
+    CHECK(m.fixed[index(m, 3, 5)] == 1);
+    CHECK(m.weft_bend_length[index(m, 3, 5)] == 0.01);
+  }
+
+  TEST_CASE("a state lies flat, at rest and virgin") {
+    ClothPieceSpec spec = rectangle(0.05, 0.03, 0.01);
+    spec.lattice_shift = Vec2(0.25, 0.5);
+    const ClothModel m = make_cloth_model(spec);
+    const ClothState state = make_cloth_state(m);
+    REQUIRE(state.positions.size() == m.live.size());
+    for (std::size_t i = 0; i < m.live.size(); ++i) {
+      const Vec2 flat = m.material(static_cast<int>(i) % m.columns, static_cast<int>(i) / m.columns);
+      CHECK(state.positions[i] == Vec3(flat.x(), flat.y(), 0.0));
+      CHECK(state.velocities[i] == Vec3::Zero());
+    }
+    CHECK(m.origin.x() == relative(-0.0075, 1e-12));
+    for (const auto* memory :
+         {&state.weft_bending, &state.warp_bending, &state.shear, &state.weft_tension, &state.warp_tension}) {
+      CHECK(memory->size() == m.live.size());
+    }
+  }
+
+  TEST_CASE("pieces that make no sense are refused with a cure") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const ClothPieceSpec good = rectangle(0.2, 0.1, 0.01);
+    const auto with_outline = [&](Polygon outline) {
+      ClothPieceSpec spec = good;
+      spec.outline = std::move(outline);
+      return spec;
+    };
+    check_refused(with_outline({}), ErrorKind::kBadInput, "3 different corners");
+    check_refused(with_outline({Vec2(0, 0), Vec2(1, 0), Vec2(1, 0), Vec2(0, 0)}), ErrorKind::kBadInput,
+                  "3 different corners");
+    check_refused(with_outline({Vec2(0, 0), Vec2(1, nan), Vec2(1, 1)}), ErrorKind::kBadInput,
+                  "corner 2 is not finite");
+    check_refused(with_outline({Vec2(0, 0), Vec2(1, 1), Vec2(2, 2)}), ErrorKind::kBadInput, "no area");
+    check_refused(with_outline({Vec2(0, 0), Vec2(1, 1), Vec2(1, 0), Vec2(0, 2)}), ErrorKind::kBadInput,
+                  "itself");
+    check_refused(with_outline({Vec2(0, 0), Vec2(2, 0), Vec2(2, 2), Vec2(1, 0), Vec2(0, 2)}),
+                  ErrorKind::kBadInput, "itself");
+    check_refused(with_outline({Vec2(0, 0), Vec2(2, 0), Vec2(2, 2), Vec2(3, 2), Vec2(2, 2), Vec2(0, 2)}),
+                  ErrorKind::kBadInput, "itself");
+    for (double spacing : {0.0, -0.01, nan}) {
+      ClothPieceSpec spec = good;
+      spec.spacing = spacing;
+      check_refused(spec, ErrorKind::kUsage, "spacing");
+    }
+    ClothPieceSpec spec = good;
+    spec.spacing = 0.2 / 4096;
+    check_refused(spec, ErrorKind::kUsage, "4096");
+    spec.spacing = 0.1;
+    check_refused(spec, ErrorKind::kUsage, "bend both ways");
+    spec.spacing = 50.0;
+    check_refused(spec, ErrorKind::kUsage, "smaller spacing");
+    spec = good;
+    spec.areal_mass = -0.1;
+    check_refused(spec, ErrorKind::kUsage, "mass");
+    spec = good;
+    spec.lattice_shift = Vec2(nan, 0.0);
+    check_refused(spec, ErrorKind::kUsage, "shift");
+    spec = good;
+    spec.clamps.push_back({DiscRegion{Vec2(1.0, 1.0), 0.05}, true});
+    check_refused(spec, ErrorKind::kUsage, "holds no cloth");
+    spec.clamps[0].region = DiscRegion{Vec2(0.1, 0.05), -0.05};
+    check_refused(spec, ErrorKind::kUsage, "radius");
+    spec.clamps[0].region = HalfPlaneRegion{Vec2(1.0, 1.0), 0.05};
+    check_refused(spec, ErrorKind::kUsage, "normal");
+    spec = good;
+    spec.pins.push_back(Vec2(0.3, 0.0));
+    check_refused(spec, ErrorKind::kUsage, "misses");
+    // Two squares joined by a neck of a hundredth of a spacing.
+    const Polygon dumb_bell = {Vec2(0, 0),        Vec2(0.1, 0),      Vec2(0.1, 0.05), Vec2(0.2, 0.05),
+                               Vec2(0.2, 0),      Vec2(0.3, 0),      Vec2(0.3, 0.1),  Vec2(0.2, 0.1),
+                               Vec2(0.2, 0.0501), Vec2(0.1, 0.0501), Vec2(0.1, 0.1),  Vec2(0, 0.1)};
+    check_refused(with_outline(dumb_bell), ErrorKind::kUsage, "falls apart");
+  }
+}
