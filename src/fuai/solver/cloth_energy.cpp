@@ -144,9 +144,16 @@ void add_bending(Pass<State, Reader>& pass, std::size_t slot) noexcept {
   Reading weft_law, warp_law;
   if (bend.bends[0]) weft_law = pass.read(pass.material.weft_bending, weft, pass.state.weft_bending[slot]);
   if (bend.bends[1]) warp_law = pass.read(pass.material.warp_bending, warp, pass.state.warp_bending[slot]);
-  pass.energy.bending += weft_area * weft_law.energy + warp_area * warp_law.energy + coupling * weft * warp;
-  const BendGradient gradient = bend_gradient(
-      bend, {weft_area * weft_law.stress + coupling * warp, warp_area * warp_law.stress + coupling * weft});
+  // Where only one curvature is known (a free edge) the other relaxes, which softens this one.
+  const double weft_soft =
+      warp_area == 0.0 ? weft_area * free_edge_softening(pass.material, pass.material.warp_bending) : 0.0;
+  const double warp_soft =
+      weft_area == 0.0 ? warp_area * free_edge_softening(pass.material, pass.material.weft_bending) : 0.0;
+  pass.energy.bending += weft_area * weft_law.energy + warp_area * warp_law.energy + coupling * weft * warp -
+                         0.5 * (weft_soft * weft * weft + warp_soft * warp * warp);
+  const BendGradient gradient =
+      bend_gradient(bend, {weft_area * weft_law.stress + coupling * warp - weft_soft * weft,
+                           warp_area * warp_law.stress + coupling * weft - warp_soft * warp});
   for (std::size_t i = 0; i < 2; ++i) {
     const auto [low, high] = bend.ends[i];
     pass.pull(low, gradient.by_tangent[i] - gradient.by_second[i]);

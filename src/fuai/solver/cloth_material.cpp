@@ -34,4 +34,11 @@ double tension_viscosity(const PlayLaw& tension, double viscosity_time) noexcept
   return viscosity_time * std::max(tension.elastic().evaluate(0.0).slope, 0.0);
 }
 
+double free_edge_softening(const ClothMaterial& material, const PlayLaw& other) noexcept {
+  const double coupling = material.poisson_bending;
+  if (coupling == 0.0) return 0.0;
+  const double slope = other.elastic().evaluate(0.0).slope;
+  return slope > 0.0 ? coupling * coupling / slope : 0.0;
+}
+
 }  // namespace fuai

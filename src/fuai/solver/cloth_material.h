@@ -35,4 +35,8 @@ ClothMaterial make_cloth_material(const FabricLaws& laws);
 /// stretched side; never negative. Thread class: any.
 double tension_viscosity(const PlayLaw& tension, double viscosity_time) noexcept;
 
+/// B12^2 / B [N m], B the slope of the other direction's law at rest: what a free edge takes off the bending
+/// stiffness along it, because the curvature across relaxes there. Thread class: any.
+double free_edge_softening(const ClothMaterial& material, const PlayLaw& other) noexcept;
+
 }  // namespace fuai

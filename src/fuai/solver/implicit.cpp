@@ -282,7 +282,8 @@ void SolverImplicit<T>::restore(const ClothState& state) {
   const ImplicitGrid<T>& g = grid_;
   const auto take = [&](T* const* to, const LawTableView<T>& law, const std::vector<PlayState>& from,
                         std::size_t slot, std::ptrdiff_t p) {
-    for (int j = 0; j < law.plays; ++j) to[j][p] = static_cast<T>(from[slot].position[static_cast<std::size_t>(j)]);
+    for (int j = 0; j < law.plays; ++j)
+      to[j][p] = static_cast<T>(from[slot].position[static_cast<std::size_t>(j)]);
   };
   for (int row = 0; row < g.rows; ++row) {
     for (int column = 0; column < g.columns; ++column) {
@@ -299,7 +300,8 @@ void SolverImplicit<T>::restore(const ClothState& state) {
   }
   rows(kernels_->keep);
   time_ = state.time;
-  // The strains of the edges, for their viscosity: the memory does not move, for it fits the positions already.
+  // The strains of the edges, for their viscosity: the memory does not move, for it fits the positions
+  // already.
   begin_step(1.0);
   evaluate(Evaluation::kForce);
   for (int row = 0; row < g.rows; ++row) {
@@ -315,11 +317,13 @@ void SolverImplicit<T>::save(ClothState& state) const {
   const auto count = static_cast<std::size_t>(g.rows * columns_);
   state.positions.resize(count);
   state.velocities.resize(count);
-  for (auto* memory : {&state.weft_bending, &state.warp_bending, &state.shear, &state.weft_tension, &state.warp_tension})
+  for (auto* memory :
+       {&state.weft_bending, &state.warp_bending, &state.shear, &state.weft_tension, &state.warp_tension})
     memory->resize(count);
-  const auto give = [&](T* const* from, const LawTableView<T>& law, std::vector<PlayState>& to, std::size_t slot,
-                        std::ptrdiff_t p) {
-    for (int j = 0; j < law.plays; ++j) to[slot].position[static_cast<std::size_t>(j)] = static_cast<double>(from[j][p]);
+  const auto give = [&](T* const* from, const LawTableView<T>& law, std::vector<PlayState>& to,
+                        std::size_t slot, std::ptrdiff_t p) {
+    for (int j = 0; j < law.plays; ++j)
+      to[slot].position[static_cast<std::size_t>(j)] = static_cast<double>(from[j][p]);
   };
   for (int row = 0; row < g.rows; ++row) {
     for (int column = 0; column < g.columns; ++column) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "fuai/cloth/cloth_model.h"
+#include "fuai/core/constants.h"
 #include "fuai/solver/cloth_material.h"
 #include "fuai/solver/implicit_kernels.h"
 #include "fuai/solver/implicit_storage.h"
@@ -27,14 +28,15 @@ enum class Preconditioner {
 
 /// How a step is done.
 struct ImplicitOptions {
-  int iterations = 8;          ///< conjugate gradients a linearisation, at most
-  int linearisations = 2;      ///< at most, a step
-  double relinearise = 0.1;    ///< once more while the force out of balance exceeds this part of what it was
-  double tolerance = 0.0;      ///< stop when the force out of balance is below this, root of the sum of squares [N]
+  int iterations = 8;        ///< conjugate gradients a linearisation, at most
+  int linearisations = 2;    ///< at most, a step
+  double relinearise = 0.1;  ///< once more while the force out of balance exceeds this part of what it was
+  double tolerance =
+      0.0;  ///< stop when the force out of balance is below this, root of the sum of squares [N]
   Preconditioner preconditioner = Preconditioner::kYarnLines;
-  bool guards = true;          ///< line searches that keep under-converged steps safe
-  Vec3 gravity = {0.0, 0.0, -9.80665};  ///< [m/s2]
-  Vec3 wind = Vec3::Zero();    ///< velocity of the air [m/s]
+  bool guards = true;                            ///< line searches that keep under-converged steps safe
+  Vec3 gravity = {0.0, 0.0, -kStandardGravity};  ///< [m/s2]
+  Vec3 wind = Vec3::Zero();                      ///< velocity of the air [m/s]
 };
 
 /// A node tied to a point by a spring that is solved for with the cloth.
@@ -48,15 +50,15 @@ struct Attachment {
 struct StepReport {
   enum Status : std::uint32_t {
     kFine = 0,
-    kNotFinite = 1,       ///< a number went wrong; the state before the step was kept, at rest
-    kStartedBack = 2,     ///< the first guess was pulled back (guard A)
-    kShortened = 4,       ///< the step was shortened (guard B)
+    kNotFinite = 1,    ///< a number went wrong; the state before the step was kept, at rest
+    kStartedBack = 2,  ///< the first guess was pulled back (guard A)
+    kShortened = 4,    ///< the step was shortened (guard B)
   };
   std::uint32_t status = kFine;
   int linearisations = 0;
-  int iterations = 0;          ///< conjugate gradients, all together
+  int iterations = 0;  ///< conjugate gradients, all together
   int evaluations = 0;
-  double residual = 0.0;       ///< force out of balance after the step, root of the sum of squares [N]
+  double residual = 0.0;  ///< force out of balance after the step, root of the sum of squares [N]
 };
 
 /// The solver. T is float or double.

@@ -18,8 +18,9 @@ HWY_BEFORE_NAMESPACE();
 namespace fuai {
 namespace HWY_NAMESPACE {
 
-/// Fields of one row of scratch. Gradients: on the next node of a yarn (U, with the tension of the edge) and on
-/// the one before (L); of a cell along its diagonals (P: x11 against x00, M: x10 against x01) and its twist (D).
+/// Fields of one row of scratch. Gradients: on the next node of a yarn (U, with the tension of the edge) and
+/// on the one before (L); of a cell along its diagonals (P: x11 against x00, M: x10 against x01) and its
+/// twist (D).
 enum ScratchField { kU1 = 0, kL1 = 3, kU2 = 6, kL2 = 9, kP = 12, kM = 15, kD = 18, kScratchFields = 21 };
 inline constexpr int kRing = 3;
 
@@ -184,8 +185,7 @@ HWY_INLINE CellBlock<T> cell(const ImplicitGrid<T>& g, const ImplicitConstants<T
   const Lane<T> s = dot(ua, ub), s2 = hn::Mul(s, s);
   // gamma = s + s^3/6 + 3 s^5/40 + 5 s^7/112 and its slope
   const Lane<T> series = hn::MulAdd(hn::MulAdd(set(T(5.0 / 112)), s2, set(T(3.0 / 40))), s2, set(T(1.0 / 6)));
-  const Lane<T> slope_series =
-      hn::MulAdd(hn::MulAdd(set(T(5.0 / 16)), s2, set(T(3.0 / 8))), s2, set(T(0.5)));
+  const Lane<T> slope_series = hn::MulAdd(hn::MulAdd(set(T(5.0 / 16)), s2, set(T(3.0 / 8))), s2, set(T(0.5)));
   CellBlock<T> block;
   block.gamma = hn::MulAdd(hn::Mul(s, s2), series, s);
   const Lane<T> slope = hn::MulAdd(s2, slope_series, one);
@@ -223,9 +223,10 @@ HWY_INLINE Lane3<T> outer_force(const ImplicitGrid<T>& g, const ImplicitConstant
                             hn::NegMulAdd(set(s.wind_dt[1]), set(s.inverse_dt), v.y),
                             hn::NegMulAdd(set(s.wind_dt[2]), set(s.inverse_dt), v.z)};
   const Lane<T> rate = hn::Mul(area, set(s.inverse_dt));
-  const Lane<T> tangential =
-      hn::Mul(hn::Mul(rate, set(k.air_tangential)), hn::Sqrt(dot(against, against)));
-  const Lane<T> across = hn::Mul(hn::Mul(rate, set(k.air_normal)), hn::Abs(dot(n, against)));
+  const Lane<T> speed_n = dot(n, against);
+  const Lane<T> speed_t2 = hn::Max(hn::NegMulAdd(speed_n, speed_n, dot(against, against)), zero);
+  const Lane<T> tangential = hn::Mul(hn::Mul(rate, set(k.air_tangential)), hn::Sqrt(speed_t2));
+  const Lane<T> across = hn::Mul(hn::Mul(rate, set(k.air_normal)), hn::Abs(speed_n));
   const Lane<T> extra = hn::Max(hn::Sub(across, tangential), zero);
   force = neg_mul_add(tangential, slip, force);
   force = neg_mul_add(hn::Mul(extra, dot(n, slip)), n, force);
@@ -236,8 +237,8 @@ HWY_INLINE Lane3<T> outer_force(const ImplicitGrid<T>& g, const ImplicitConstant
   return force;
 }
 
-/// Computes the elements of one row into the ring; what belongs to the nodes of the row itself is written only
-/// when the row is the caller's own.
+/// Computes the elements of one row into the ring; what belongs to the nodes of the row itself is written
+/// only when the row is the caller's own.
 template <class T>
 HWY_NOINLINE void element_row(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k,
                               const ImplicitStepConstants<T>& s, ScratchRow<T> out, int row, bool own,
@@ -285,8 +286,8 @@ HWY_NOINLINE void element_row(const ImplicitGrid<T>& g, const ImplicitConstants<
   }
 }
 
-/// What the neighbours of a row's nodes put on them: the gradient of all elements. `below`, `here` and `above`
-/// are the rows of the ring.
+/// What the neighbours of a row's nodes put on them: the gradient of all elements. `below`, `here` and
+/// `above` are the rows of the ring.
 template <class T>
 HWY_INLINE Lane3<T> collect(const ScratchRow<T>& below, const ScratchRow<T>& here, const ScratchRow<T>& above,
                             std::ptrdiff_t c) {

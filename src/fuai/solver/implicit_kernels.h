@@ -13,9 +13,9 @@ enum class Evaluation {
   kLinearise,  ///< the linearisation arrays
 };
 
-/// Kernels over rows [begin, end), or over vectors of lines where said (lanes() lines each). All are noexcept, allocate nothing and write only
-/// what belongs to their rows, so that rows may be shared out to threads in any way without changing a bit.
-/// Sums go to `partial`, one a row.
+/// Kernels over rows [begin, end), or over vectors of lines where said (lanes() lines each). All are
+/// noexcept, allocate nothing and write only what belongs to their rows, so that rows may be shared out to
+/// threads in any way without changing a bit. Sums go to `partial`, one a row.
 template <class T>
 struct ImplicitKernels {
   using Grid = ImplicitGrid<T>;

@@ -122,8 +122,7 @@ HWY_INLINE LaneResponse<T> evaluate_law(const LawTableView<T>& law, Lane<T> stra
     const Lane<T> held = hn::Min(hn::Max(s, set(T(-1))), set(T(1)));
     const Lane<T> w = set(law.weight[j]);
     S = hn::MulAdd(w, held, S);
-    stick = hn::Add(
-        stick, hn::IfThenElseZero(hn::Eq(s, held), hn::Mul(w, set(law.inverse_radius[j]))));
+    stick = hn::Add(stick, hn::IfThenElseZero(hn::Eq(s, held), hn::Mul(w, set(law.inverse_radius[j]))));
   }
   // Where the strain lies on the table: u, the piece's number and the strain beyond its start.
   const Lane<T> inner =
@@ -134,8 +133,8 @@ HWY_INLINE LaneResponse<T> evaluate_law(const LawTableView<T>& law, Lane<T> stra
   const Lane<T> piece = hn::Min(hn::Max(hn::Floor(u), set(law.first_index)), set(law.last_index));
   const auto is_above = hn::Ge(piece, set(law.count));
   const auto is_below = hn::Lt(piece, zero);
-  const Lane<T> step =
-      hn::IfThenElse(is_above, set(law.step_high), hn::IfThenElse(is_below, set(law.step_low), set(law.step)));
+  const Lane<T> step = hn::IfThenElse(is_above, set(law.step_high),
+                                      hn::IfThenElse(is_below, set(law.step_low), set(law.step)));
   const Lane<T> beyond = hn::Mul(hn::Sub(u, piece), step);
   const auto index = hn::ShiftLeft<2>(hn::ConvertTo(di, piece));
   const Lane<T> F = hn::GatherIndex(d, law.pieces, index);

@@ -127,8 +127,8 @@ HWY_INLINE Block<T> diagonal(const ImplicitGrid<T>& g, const ImplicitConstants<T
                                hn::Add(load(g.warp_side + p), load(g.warp_side + p - S)));
   const Lane<T> cells = hn::Add(hn::Add(load(g.cell_area + p), load(g.cell_area + p - 1)),
                                 hn::Add(load(g.cell_area + p - S), load(g.cell_area + p - S - 1)));
-  Block<T> b = add_isotropic(hn::MulAdd(set(k.twist), cells, hn::Add(side, load(g.ground + p))),
-                             zero_block<T>());
+  Block<T> b =
+      add_isotropic(hn::MulAdd(set(k.twist), cells, hn::Add(side, load(g.ground + p))), zero_block<T>());
   b = add_outer(load3(g.weft_axis, p), b);
   b = add_outer(load3(g.weft_axis, p - 1), b);
   b = add_outer(load3(g.warp_axis, p), b);

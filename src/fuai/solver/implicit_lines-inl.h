@@ -31,7 +31,8 @@ HWY_INLINE Lane3<T> apply_add(const Block<T>& b, const Lane3<T>& a, const Lane3<
           hn::MulAdd(b.zz, a.z, hn::MulAdd(b.yz, a.y, hn::MulAdd(b.xz, a.x, c.z)))};
 }
 
-/// Inverse through L D L^T, whose pivots stay positive in single precision where the determinant would cancel.
+/// Inverse through L D L^T, whose pivots stay positive in single precision where the determinant would
+/// cancel.
 template <class T>
 HWY_INLINE Block<T> invert(const Block<T>& b) {
   const Lane<T> one = set(T(1));

@@ -32,8 +32,10 @@ void ImplicitStorage<T>::lay_out(bool poisson) {
   g.stride = round_up(g.columns + 1, vector);
   padded_rows_ = round_up(g.rows, vector);
   g.stride_t = padded_rows_;
-  const auto field = static_cast<std::size_t>(g.stride) * static_cast<std::size_t>(padded_rows_ + 2 * kPadRows);
-  const auto turned = static_cast<std::size_t>(g.stride_t) * static_cast<std::size_t>(g.stride + 2 * kPadRows);
+  const auto field =
+      static_cast<std::size_t>(g.stride) * static_cast<std::size_t>(padded_rows_ + 2 * kPadRows);
+  const auto turned =
+      static_cast<std::size_t>(g.stride_t) * static_cast<std::size_t>(g.stride + 2 * kPadRows);
   used_ = 0;
   take(static_cast<std::size_t>(vector));  // so that the number before the first can be read
   const auto one = [&](T*& to) { to = take(field); };
@@ -83,11 +85,8 @@ void ImplicitStorage<T>::fill_constants(const ClothModel& model, const ClothMate
   k.inverse_h = static_cast<T>(1.0 / h);
   k.twist = static_cast<T>(4.0 * material.twist_stiffness / (h * h * h * h));
   k.poisson_bending = static_cast<T>(material.poisson_bending);
-  const double square = material.poisson_bending * material.poisson_bending;
-  if (square > 0.0) {
-    k.free_edge_weft = static_cast<T>(square / material.warp_bending.elastic().evaluate(0.0).slope);
-    k.free_edge_warp = static_cast<T>(square / material.weft_bending.elastic().evaluate(0.0).slope);
-  }
+  k.free_edge_weft = static_cast<T>(free_edge_softening(material, material.warp_bending));
+  k.free_edge_warp = static_cast<T>(free_edge_softening(material, material.weft_bending));
   k.viscosity_weft = static_cast<T>(tension_viscosity(material.weft_tension, material.viscosity_time));
   k.viscosity_warp = static_cast<T>(tension_viscosity(material.warp_tension, material.viscosity_time));
   k.areal_mass = static_cast<T>(model.areal_mass);

@@ -20,7 +20,7 @@ template <class T>
 struct LawTableView {
   const T* pieces = nullptr;  ///< of index 0; 4 numbers a piece: F at its start, dF/dx, Y at its start, dY/dx
   T low = 0, high = 0;        ///< measured range
-  T step = 1, step_low = 1, step_high = 1;                          ///< length of a piece: inside, below, above
+  T step = 1, step_low = 1, step_high = 1;  ///< length of a piece: inside, below, above
   T inverse_step = 1, inverse_step_low = 1, inverse_step_high = 1;  ///< their reciprocals
   T count = 0;                                                      ///< N
   T first_index = 0, last_index = 0;                                ///< -(M + 1), N + M
