@@ -27,6 +27,8 @@ inline constexpr double kTwistShare = 0.25;
 /// proportional to mass [1/s], and the drag of air: coefficient across [-] and along [-] the cloth, density
 /// [kg/m3].
 inline constexpr double kTensileViscosityTime = 5e-5;
+/// Cloth under compression buckles with waves of this length [m]: it carries B (2 pi / length)^2 until then.
+inline constexpr double kCompressionWavelength = 0.03;
 inline constexpr double kMassDrag = 1.5;
 inline constexpr double kAirNormalDrag = 1.2;
 inline constexpr double kAirTangentialDrag = 0.02;

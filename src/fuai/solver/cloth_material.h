@@ -31,6 +31,12 @@ struct ClothMaterial {
 /// @source docs/theory/assumptions.md
 ClothMaterial make_cloth_material(const FabricLaws& laws);
 
+/// A tensile law whose compression begins as stiff as its tension and softens to the law's own slope below
+/// zero where the stress reaches -buckling_stress [N/m], instead of at once: cloth carries compression until
+/// it buckles, and a law with a corner at zero strain makes an implicit step hunt to and fro across it.
+/// Unchanged when the law already says what happens below zero. Thread class: set-up.
+PlayLaw with_buckling_onset(const PlayLaw& tension, double buckling_stress);
+
 /// eta = tau F_t'(0+) [N s/m]: the slope of the elastic mean curve (without friction) at zero strain, on the
 /// stretched side; never negative. Thread class: any.
 double tension_viscosity(const PlayLaw& tension, double viscosity_time) noexcept;

@@ -34,15 +34,15 @@ struct CellMeasure {
 struct BendMeasure {
   std::array<std::array<std::size_t, 2>, 2> ends{};  ///< low and high end of the tangent; the slot itself
                                                      ///< where a neighbour is missing
-  std::array<Vec3, 2> tangent;        ///< T = x+ - x- [m]
-  std::array<Vec3, 2> second;         ///< D = x+ - 2 x0 + x- [m]; zero without a triple
-  std::array<bool, 2> bends{};        ///< there is a triple
-  std::array<double, 2> length{};     ///< |T| [m]
-  Vec3 normal = Vec3::Zero();         ///< n
-  double normal_length = 0.0;         ///< |N| [m2]
-  std::array<double, 2> slope{};      ///< t = n . D / |T|
-  std::array<double, 2> curvature{};  ///< kappa [1/m], positive toward the face
-  std::array<double, 2> by_slope{};   ///< d kappa / d t [1/m]
+  std::array<Vec3, 2> tangent;                       ///< T = x+ - x- [m]
+  std::array<Vec3, 2> second;                        ///< D = x+ - 2 x0 + x- [m]; zero without a triple
+  std::array<bool, 2> bends{};                       ///< there is a triple
+  std::array<double, 2> length{};                    ///< |T| [m]
+  Vec3 normal = Vec3::Zero();                        ///< n
+  double normal_length = 0.0;                        ///< |N| [m2]
+  std::array<double, 2> slope{};                     ///< t = n . D / |T|
+  std::array<double, 2> curvature{};                 ///< kappa [1/m], positive toward the face
+  std::array<double, 2> by_slope{};                  ///< d kappa / d t [1/m]
   bool valid = false;
 };
 

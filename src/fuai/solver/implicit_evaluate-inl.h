@@ -245,7 +245,7 @@ HWY_NOINLINE void element_row(const ImplicitGrid<T>& g, const ImplicitConstants<
                               bool linearise) {
   const std::ptrdiff_t S = g.stride;
   const int lanes = lanes_of<T>();
-  for (int c = 0; c < g.stride; c += lanes) {
+  for (int c = 0; c < g.width; c += lanes) {
     const std::ptrdiff_t p = g.at(row) + c;
     const Lane3<T> x = load3(g.x, p), east = load3(g.x, p + 1), north = load3(g.x, p + S);
     const Cross<T> edges = {sub(east, x), sub(x, load3(g.x, p - 1)), sub(north, x),
@@ -313,7 +313,7 @@ void evaluate_rows(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, cons
     if (done < begin) continue;
     const ScratchRow<T> below = scratch_row(g, scratch, done - 1), here = scratch_row(g, scratch, done),
                         above = scratch_row(g, scratch, row);
-    for (int c = 0; c < g.stride; c += lanes) {
+    for (int c = 0; c < g.width; c += lanes) {
       const std::ptrdiff_t p = g.at(done) + c;
       store3(sub(load3(g.force, p), collect(below, here, above, c)), g.force, p);
     }
@@ -334,7 +334,7 @@ template <class T>
 void commit_rows(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, int begin, int end) {
   const int lanes = lanes_of<T>();
   for (int row = begin; row < end; ++row) {
-    for (int c = 0; c < g.stride; c += lanes) {
+    for (int c = 0; c < g.width; c += lanes) {
       const std::ptrdiff_t p = g.at(row) + c;
       commit_law(k.weft_bending, load(g.strain[0] + p), g.memory_weft_bending, p);
       commit_law(k.warp_bending, load(g.strain[1] + p), g.memory_warp_bending, p);

@@ -55,6 +55,7 @@ template <class T>
 struct ImplicitGrid {
   int columns = 0, rows = 0;
   int stride = 0;    ///< numbers a row, a multiple of kVectorBytes / sizeof(T)
+  int width = 0;     ///< columns rounded up to whole vectors of the widest machine: what kernels work on
   int stride_t = 0;  ///< numbers a column of the transposed arrays
   // Constant.
   T* live = nullptr;       ///< 1 or 0

@@ -20,7 +20,7 @@ HWY_NOINLINE void product_row(const ImplicitGrid<T>& g, const ImplicitConstants<
                               int row, bool own) {
   const std::ptrdiff_t S = g.stride;
   const int lanes = lanes_of<T>();
-  for (int c = 0; c < g.stride; c += lanes) {
+  for (int c = 0; c < g.width; c += lanes) {
     const std::ptrdiff_t p = g.at(row) + c;
     const Lane3<T> x = load3(g.p, p), east = load3(g.p, p + 1), north = load3(g.p, p + S);
     const Lane3<T> e1 = sub(east, x), e2 = sub(north, x);
@@ -62,7 +62,7 @@ void multiply_rows(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, T* s
     const ScratchRow<T> below = scratch_row(g, scratch, done - 1), here = scratch_row(g, scratch, done),
                         above = scratch_row(g, scratch, row);
     Lane<T> sum = hn::Zero(Tag<T>());
-    for (int c = 0; c < g.stride; c += lanes) {
+    for (int c = 0; c < g.width; c += lanes) {
       const std::ptrdiff_t p = g.at(done) + c;
       const Lane3<T> q = scale(load(g.mobile + p), add(load3(g.q, p), collect(below, here, above, c)));
       store3(q, g.q, p);
@@ -195,7 +195,7 @@ void assemble_vectors(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, b
   const int lanes = lanes_of<T>();
   HWY_ALIGN T tile[12][kTile<T> * kPitch<T>];
   for (int r0 = begin * lanes; r0 < end * lanes; r0 += lanes) {
-    for (int c = 0; c < g.stride; c += lanes) {
+    for (int c = 0; c < g.width; c += lanes) {
       for (int i = 0; i < lanes; ++i) {
         const std::ptrdiff_t p = g.at(r0 + i) + c;
         const Lane<T> mobile = load(g.mobile + p);

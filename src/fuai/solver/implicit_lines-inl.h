@@ -144,7 +144,7 @@ void average_vectors(const ImplicitGrid<T>& g, int begin, int end) {
     const int r0 = i * lanes;
     Lane<T> sums[kTile<T>];
     for (int j = 0; j < lanes; ++j) sums[j] = hn::Zero(Tag<T>());
-    for (int c = 0; c < g.stride; c += lanes) {
+    for (int c = 0; c < g.width; c += lanes) {
       const std::ptrdiff_t t = g.at_t(c) + r0;
       store_transposed(g.line_t.x + t, g.stride_t, tile[0], lanes);
       store_transposed(g.line_t.y + t, g.stride_t, tile[1], lanes);

@@ -29,6 +29,7 @@ template <class T>
 void ImplicitStorage<T>::lay_out(bool poisson) {
   ImplicitGrid<T>& g = grid_;
   const auto vector = static_cast<int>(kVectorBytes / sizeof(T));
+  g.width = round_up(g.columns, vector);
   g.stride = round_up(g.columns + 1, vector);
   padded_rows_ = round_up(g.rows, vector);
   g.stride_t = padded_rows_;

@@ -18,7 +18,7 @@ void advance_rows(const ImplicitGrid<T>& g, T alpha, int begin, int end) {
   const int lanes = lanes_of<T>();
   for (int row = begin; row < end; ++row) {
     Lane<T> sum = hn::Zero(Tag<T>());
-    for (int c = 0; c < g.stride; c += lanes) {
+    for (int c = 0; c < g.width; c += lanes) {
       const std::ptrdiff_t p = g.at(row) + c;
       store3(mul_add(set(alpha), load3(g.p, p), load3(g.d, p)), g.d, p);
       const Lane3<T> r = neg_mul_add(set(alpha), load3(g.q, p), load3(g.force, p));
@@ -33,7 +33,7 @@ template <class T>
 void direct_rows(const ImplicitGrid<T>& g, T beta, int begin, int end) {
   const int lanes = lanes_of<T>();
   for (int row = begin; row < end; ++row) {
-    for (int c = 0; c < g.stride; c += lanes) {
+    for (int c = 0; c < g.width; c += lanes) {
       const std::ptrdiff_t p = g.at(row) + c;
       store3(mul_add(set(beta), load3(g.p, p), load3(g.q, p)), g.p, p);
     }
@@ -45,7 +45,7 @@ void begin_solve_rows(const ImplicitGrid<T>& g, int begin, int end) {
   const int lanes = lanes_of<T>();
   for (int row = begin; row < end; ++row) {
     Lane<T> sum = hn::Zero(Tag<T>());
-    for (int c = 0; c < g.stride; c += lanes) {
+    for (int c = 0; c < g.width; c += lanes) {
       const std::ptrdiff_t p = g.at(row) + c;
       const Lane3<T> r = scale(load(g.mobile + p), load3(g.force, p));
       store3(r, g.force, p);
@@ -71,7 +71,7 @@ template <class T>
 void replace_rows(const ImplicitGrid<T>& g, T s, int begin, int end) {
   const int lanes = lanes_of<T>();
   for (int row = begin; row < end; ++row) {
-    for (int c = 0; c < g.stride; c += lanes) {
+    for (int c = 0; c < g.width; c += lanes) {
       const std::ptrdiff_t p = g.at(row) + c;
       place(g, load3(g.xn, p), s, p);
     }
@@ -82,7 +82,7 @@ template <class T>
 void keep_rows(const ImplicitGrid<T>& g, int begin, int end) {
   const int lanes = lanes_of<T>();
   for (int row = begin; row < end; ++row) {
-    for (int c = 0; c < g.stride; c += lanes) {
+    for (int c = 0; c < g.width; c += lanes) {
       const std::ptrdiff_t p = g.at(row) + c;
       store3(load3(g.x, p), g.xn, p);
     }
@@ -93,7 +93,7 @@ template <class T>
 void move_rows(const ImplicitGrid<T>& g, T s, int begin, int end) {
   const int lanes = lanes_of<T>();
   for (int row = begin; row < end; ++row) {
-    for (int c = 0; c < g.stride; c += lanes) {
+    for (int c = 0; c < g.width; c += lanes) {
       const std::ptrdiff_t p = g.at(row) + c;
       store3(mul_add(set(s), load3(g.d, p), load3(g.x, p)), g.x, p);
     }
@@ -105,7 +105,7 @@ HWY_INLINE void work_rows(const ImplicitGrid<T>& g, const Field3<T>& along, int 
   const int lanes = lanes_of<T>();
   for (int row = begin; row < end; ++row) {
     Lane<T> sum = hn::Zero(Tag<T>());
-    for (int c = 0; c < g.stride; c += lanes) {
+    for (int c = 0; c < g.width; c += lanes) {
       const std::ptrdiff_t p = g.at(row) + c;
       sum = add_dot<T>(scale(load(g.mobile + p), load3(g.force, p)), load3(along, p), sum);
     }
@@ -130,7 +130,7 @@ template <class T>
 void finish_rows(const ImplicitGrid<T>& g, T inverse_dt, int begin, int end) {
   const int lanes = lanes_of<T>();
   for (int row = begin; row < end; ++row) {
-    for (int c = 0; c < g.stride; c += lanes) {
+    for (int c = 0; c < g.width; c += lanes) {
       const std::ptrdiff_t p = g.at(row) + c;
       store3(scale(set(inverse_dt), sub(load3(g.x, p), load3(g.xn, p))), g.v, p);
     }
