@@ -23,5 +23,13 @@ inline constexpr double kLT = 0.7, kRT = 0.6, kEMT = 0.05;
 inline constexpr double kPeakLoad = 500.0 * unit::kGfPerCm;  ///< standard KES setting [N/m]
 /// Twist stiffness without a bias test: Bt = this times sqrt(B warp * B weft), B12 = 0.
 inline constexpr double kTwistShare = 0.25;
+/// What no KES test shows and every moving cloth needs: the time constant of viscosity in tension [s], drag
+/// proportional to mass [1/s], and the drag of air: coefficient across [-] and along [-] the cloth, density
+/// [kg/m3].
+inline constexpr double kTensileViscosityTime = 5e-5;
+inline constexpr double kMassDrag = 1.5;
+inline constexpr double kAirNormalDrag = 1.2;
+inline constexpr double kAirTangentialDrag = 0.02;
+inline constexpr double kAirDensity = 1.2;
 
 }  // namespace fuai::assumed

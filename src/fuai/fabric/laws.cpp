@@ -111,14 +111,14 @@ void make_bending_laws(const Fabric& fabric, FabricLaws& laws) {
   }
 }
 
-/// Slope and half width of a law at 1 1/cm, for the bias rule.
+/// Where the bias rule reads a law [1/m].
+constexpr double kReferenceCurvature = unit::kPerCentimetre;
+
+/// Slope and full width of a law there.
 BendingScalars read_off(const PlayLaw& law) {
-  const double x = unit::kPerCentimetre;
-  PlayState state;
-  law.commit(-2.0 * x, state);
   BendingScalars s;
-  s.B = law.elastic().evaluate(x).slope;
-  s.hysteresis = 2.0 * law.friction().evaluate(x).value;
+  s.B = bending_rigidity(law);
+  s.hysteresis = 2.0 * law.friction().evaluate(kReferenceCurvature).value;
   return s;
 }
 
@@ -202,6 +202,10 @@ void make_tensile_laws(const Fabric& fabric, FabricLaws& laws) {
 }
 
 }  // namespace
+
+double bending_rigidity(const PlayLaw& law) noexcept {
+  return law.elastic().evaluate(kReferenceCurvature).slope;
+}
 
 FabricLaws make_fabric_laws(const Fabric& fabric) {
   FabricLaws laws;

@@ -37,4 +37,8 @@ struct FabricLaws {
 /// noise) or there is no bending measurement at all. Thread class: set-up.
 FabricLaws make_fabric_laws(const Fabric& fabric);
 
+/// The one bending rigidity of a law where plate theory needs a number [N m]: the slope of its elastic curve
+/// at 1 1/cm, the curvature at which KES reads B. Thread class: any.
+double bending_rigidity(const PlayLaw& law) noexcept;
+
 }  // namespace fuai

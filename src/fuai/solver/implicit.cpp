@@ -1,0 +1,347 @@
+// The implicit step.
+// SPDX-License-Identifier: Apache-2.0
+#include "fuai/solver/implicit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "fuai/core/error.h"
+
+namespace fuai {
+namespace {
+
+/// Guard B lets the slope along the step come out at this part of what it was, and tries this often.
+constexpr double kOvershoot = 0.25;
+constexpr int kMostShortenings = 4;
+/// Conjugate gradients stop at this part of the first residual: beyond it rounding rules in single precision.
+constexpr double kLeastReduction = 1e-6;
+
+template <class T>
+T part(const Vec3& v, int i) {
+  return static_cast<T>(v[i]);
+}
+
+void check_options(const ImplicitOptions& o) {
+  if (o.iterations < 1 || o.linearisations < 1 || !(o.relinearise > 0.0) || !(o.tolerance >= 0.0)) {
+    throw Error(ErrorKind::kUsage,
+                "the implicit solver needs at least one iteration and one linearisation, a positive "
+                "relinearise and a tolerance that is not negative");
+  }
+  if (!o.gravity.allFinite() || !o.wind.allFinite())
+    throw Error(ErrorKind::kUsage, "gravity and wind must be finite");
+}
+
+}  // namespace
+
+template <class T>
+SolverImplicit<T>::SolverImplicit(const ClothModel& model, const ClothMaterial& material,
+                                  const ImplicitOptions& options, std::size_t attachments)
+    : kernels_(&implicit_kernels<T>()),
+      storage_(std::make_unique<ImplicitStorage<T>>(model, material)),
+      grid_(storage_->grid()),
+      constants_(storage_->constants()),
+      options_(options),
+      attachments_(attachments),
+      columns_(model.columns) {
+  check_options(options);
+  scratch_.assign(static_cast<std::size_t>(kernels_->scratch_size(grid_)), T(0));
+  restore(make_cloth_state(model));
+}
+
+template <class T>
+template <class Kernel, class... Arguments>
+double SolverImplicit<T>::rows(Kernel kernel, const Arguments&... arguments) noexcept {
+  kernel(grid_, arguments..., 0, grid_.rows);
+  double sum = 0.0;
+  for (int row = 0; row < grid_.rows; ++row) sum += grid_.partial[row];
+  return sum;
+}
+
+template <class T>
+template <class Kernel, class... Arguments>
+void SolverImplicit<T>::vectors(Kernel kernel, int count, const Arguments&... arguments) noexcept {
+  kernel(grid_, arguments..., 0, (count + kernels_->lanes - 1) / kernels_->lanes);
+}
+
+template <class T>
+void SolverImplicit<T>::begin_step(double dt) noexcept {
+  const double drag = static_cast<double>(constants_.mass_drag);
+  step_.dt = static_cast<T>(dt);
+  step_.inverse_dt = static_cast<T>(1.0 / dt);
+  step_.inertia = static_cast<T>((1.0 + drag * dt) / (dt * dt));
+  step_.velocity_gain = static_cast<T>(dt / (1.0 + drag * dt));
+  for (int i = 0; i < 3; ++i) {
+    step_.gravity_dt[i] = static_cast<T>(dt * options_.gravity[i]);
+    step_.wind_dt[i] = static_cast<T>(dt * options_.wind[i]);
+  }
+}
+
+template <class T>
+void SolverImplicit<T>::add_attachments(bool linearise) noexcept {
+  for (std::size_t i = 0; i < attached_; ++i) {
+    const Attachment& a = attachments_[i];
+    const std::ptrdiff_t p = grid_.at(a.slot / columns_) + a.slot % columns_;
+    const T k = static_cast<T>(a.stiffness) * grid_.mobile[p];
+    grid_.force.x[p] += k * (part<T>(a.target, 0) - grid_.x.x[p]);
+    grid_.force.y[p] += k * (part<T>(a.target, 1) - grid_.x.y[p]);
+    grid_.force.z[p] += k * (part<T>(a.target, 2) - grid_.x.z[p]);
+    if (linearise) grid_.ground[p] += k;
+  }
+}
+
+template <class T>
+void SolverImplicit<T>::evaluate(Evaluation what) noexcept {
+  kernels_->evaluate(grid_, constants_, step_, what, scratch_.data(), 0, grid_.rows);
+  add_attachments(what == Evaluation::kLinearise);
+}
+
+// Guard A: the first guess xn + dt v may hold far more energy than xn; then go back along v to where the
+// potential stops falling, by one secant step.
+template <class T>
+void SolverImplicit<T>::start(StepReport& report) noexcept {
+  rows(kernels_->replace, step_.dt);
+  evaluate(Evaluation::kLinearise);
+  ++report.evaluations;
+  if (!options_.guards) return;
+  const double fall_at_end = rows(kernels_->work_v);
+  if (!(fall_at_end < 0.0)) return;
+  rows(kernels_->replace, T(0));
+  evaluate(Evaluation::kForce);
+  const double fall_at_start = rows(kernels_->work_v);
+  const double part_way =
+      fall_at_start > 0.0 ? std::clamp(fall_at_start / (fall_at_start - fall_at_end), 0.0, 1.0) : 0.0;
+  rows(kernels_->replace, static_cast<T>(part_way) * step_.dt);
+  evaluate(Evaluation::kLinearise);
+  report.evaluations += 2;
+  report.status |= StepReport::kStartedBack;
+}
+
+// Conjugate gradients from zero on A d = force. Returns force.d, the slope of the potential along d at d = 0.
+template <class T>
+double SolverImplicit<T>::solve(StepReport& report) noexcept {
+  const bool links = options_.preconditioner == Preconditioner::kYarnLines;
+  vectors(kernels_->assemble, grid_.rows, constants_, links);
+  vectors(kernels_->factor_warp, grid_.columns);
+  vectors(kernels_->factor_weft, grid_.rows);
+  const double first = rows(kernels_->begin_solve);
+  const double least =
+      std::max(options_.tolerance * options_.tolerance * 0.01, first * kLeastReduction * kLeastReduction);
+  double slope = 0.0, previous = 0.0, square = first;
+  for (int i = 0; i < options_.iterations && square > least; ++i) {
+    vectors(kernels_->solve_warp, grid_.columns);
+    vectors(kernels_->solve_weft, grid_.rows);
+    vectors(kernels_->average, grid_.rows);
+    double rz = 0.0;
+    for (int row = 0; row < grid_.rows; ++row) rz += grid_.partial[row];
+    if (!(rz > 0.0)) break;
+    rows(kernels_->direct, static_cast<T>(i == 0 ? 0.0 : rz / previous));
+    kernels_->multiply(grid_, constants_, scratch_.data(), 0, grid_.rows);
+    double curvature = 0.0;
+    for (int row = 0; row < grid_.rows; ++row) curvature += grid_.partial[row];
+    if (!(curvature > 0.0)) break;
+    const double alpha = rz / curvature;
+    square = rows(kernels_->advance, static_cast<T>(alpha));
+    slope += alpha * rz;
+    previous = rz;
+    ++report.iterations;
+  }
+  return slope;
+}
+
+// Guard B: if the potential rises again along d by more than it should, back to where it stops falling.
+template <class T>
+void SolverImplicit<T>::search_back(double slope, StepReport& report) noexcept {
+  double at = 1.0, near = 0.0, near_fall = slope;
+  for (int i = 0; i < kMostShortenings; ++i) {
+    const double fall = rows(kernels_->work_d);
+    if (fall >= -kOvershoot * slope) {
+      if (fall >= 0.0 || i == 0) return;
+      return;
+    }
+    const double next = near + (at - near) * near_fall / (near_fall - fall);
+    rows(kernels_->move, static_cast<T>(next - at));
+    at = next;
+    evaluate(Evaluation::kForce);
+    ++report.evaluations;
+    report.status |= StepReport::kShortened;
+  }
+}
+
+template <class T>
+void SolverImplicit<T>::give_up() noexcept {
+  rows(kernels_->replace, T(0));
+  // Fixed nodes too: their targets may be what was wrong.
+  const ImplicitGrid<T>& g = grid_;
+  for (int row = 0; row < g.rows; ++row) {
+    const std::ptrdiff_t p = g.at(row);
+    std::copy(g.xn.x + p, g.xn.x + p + g.stride, g.x.x + p);
+    std::copy(g.xn.y + p, g.xn.y + p + g.stride, g.x.y + p);
+    std::copy(g.xn.z + p, g.xn.z + p + g.stride, g.x.z + p);
+    std::fill(g.v.x + p, g.v.x + p + g.stride, T(0));
+    std::fill(g.v.y + p, g.v.y + p + g.stride, T(0));
+    std::fill(g.v.z + p, g.v.z + p + g.stride, T(0));
+    std::fill(g.force.x + p, g.force.x + p + g.stride, T(0));
+    std::fill(g.force.y + p, g.force.y + p + g.stride, T(0));
+    std::fill(g.force.z + p, g.force.z + p + g.stride, T(0));
+  }
+}
+
+template <class T>
+StepReport SolverImplicit<T>::step(double dt) noexcept {
+  StepReport report;
+  begin_step(dt);
+  start(report);
+  double before = rows(kernels_->square);
+  for (report.linearisations = 1;; ++report.linearisations) {
+    const double slope = solve(report);
+    rows(kernels_->move, T(1));
+    evaluate(Evaluation::kForce);
+    ++report.evaluations;
+    if (options_.guards) search_back(slope, report);
+    const double after = rows(kernels_->square);
+    report.residual = std::sqrt(after);
+    const double limit = options_.relinearise * options_.relinearise * before;
+    if (!(after > limit) || report.residual <= options_.tolerance) break;
+    if (report.linearisations >= options_.linearisations) break;
+    evaluate(Evaluation::kLinearise);
+    ++report.evaluations;
+  }
+  if (!std::isfinite(report.residual)) {
+    give_up();
+    report.status |= StepReport::kNotFinite;
+  } else {
+    kernels_->commit(grid_, constants_, 0, grid_.rows);
+    rows(kernels_->finish, step_.inverse_dt);
+  }
+  rows(kernels_->keep);
+  time_ += dt;
+  return report;
+}
+
+template <class T>
+void SolverImplicit<T>::place(int slot, const Vec3& position) noexcept {
+  const std::ptrdiff_t p = grid_.at(slot / columns_) + slot % columns_;
+  grid_.x.x[p] = part<T>(position, 0);
+  grid_.x.y[p] = part<T>(position, 1);
+  grid_.x.z[p] = part<T>(position, 2);
+}
+
+template <class T>
+void SolverImplicit<T>::attach(std::span<const Attachment> attachments) noexcept {
+  attached_ = std::min(attachments.size(), attachments_.size());
+  std::copy_n(attachments.begin(), attached_, attachments_.begin());
+}
+
+namespace {
+
+template <class T>
+Vec3 vector_at(const Field3<T>& field, std::ptrdiff_t p) {
+  return {static_cast<double>(field.x[p]), static_cast<double>(field.y[p]), static_cast<double>(field.z[p])};
+}
+
+template <class T>
+void put(const Field3<T>& field, std::ptrdiff_t p, const Vec3& value) {
+  field.x[p] = part<T>(value, 0);
+  field.y[p] = part<T>(value, 1);
+  field.z[p] = part<T>(value, 2);
+}
+
+}  // namespace
+
+template <class T>
+Vec3 SolverImplicit<T>::position(int slot) const noexcept {
+  return vector_at(grid_.x, grid_.at(slot / columns_) + slot % columns_);
+}
+
+template <class T>
+Vec3 SolverImplicit<T>::velocity(int slot) const noexcept {
+  return vector_at(grid_.v, grid_.at(slot / columns_) + slot % columns_);
+}
+
+template <class T>
+Vec3 SolverImplicit<T>::force_on_fixed(int slot) const noexcept {
+  const std::ptrdiff_t p = grid_.at(slot / columns_) + slot % columns_;
+  const double mass = static_cast<double>(grid_.node_area[p]) * static_cast<double>(constants_.areal_mass);
+  return vector_at(grid_.force, p) + mass * options_.gravity;
+}
+
+template <class T>
+Vec3 SolverImplicit<T>::force_of_attachment(std::size_t index) const noexcept {
+  const Attachment& a = attachments_[index];
+  return a.stiffness * (a.target - position(a.slot));
+}
+
+template <class T>
+std::size_t SolverImplicit<T>::bytes() const noexcept {
+  return storage_->bytes();
+}
+
+template <class T>
+void SolverImplicit<T>::restore(const ClothState& state) {
+  const ImplicitGrid<T>& g = grid_;
+  const auto take = [&](T* const* to, const LawTableView<T>& law, const std::vector<PlayState>& from,
+                        std::size_t slot, std::ptrdiff_t p) {
+    for (int j = 0; j < law.plays; ++j)
+      to[j][p] = static_cast<T>(from[slot].position[static_cast<std::size_t>(j)]);
+  };
+  for (int row = 0; row < g.rows; ++row) {
+    for (int column = 0; column < g.columns; ++column) {
+      const auto i = static_cast<std::size_t>(row * columns_ + column);
+      const std::ptrdiff_t p = g.at(row) + column;
+      put(g.x, p, state.positions[i]);
+      put(g.v, p, state.velocities[i]);
+      take(g.memory_weft_bending, constants_.weft_bending, state.weft_bending, i, p);
+      take(g.memory_warp_bending, constants_.warp_bending, state.warp_bending, i, p);
+      take(g.memory_shear, constants_.shear, state.shear, i, p);
+      take(g.memory_weft_tension, constants_.weft_tension, state.weft_tension, i, p);
+      take(g.memory_warp_tension, constants_.warp_tension, state.warp_tension, i, p);
+    }
+  }
+  rows(kernels_->keep);
+  time_ = state.time;
+  // The strains of the edges, for their viscosity: the memory does not move, for it fits the positions
+  // already.
+  begin_step(1.0);
+  evaluate(Evaluation::kForce);
+  for (int row = 0; row < g.rows; ++row) {
+    const std::ptrdiff_t p = g.at(row);
+    std::copy(g.strain[3] + p, g.strain[3] + p + g.stride, g.weft_strain_n + p);
+    std::copy(g.strain[4] + p, g.strain[4] + p + g.stride, g.warp_strain_n + p);
+  }
+}
+
+template <class T>
+void SolverImplicit<T>::save(ClothState& state) const {
+  const ImplicitGrid<T>& g = grid_;
+  const auto count = static_cast<std::size_t>(g.rows * columns_);
+  state.positions.resize(count);
+  state.velocities.resize(count);
+  for (auto* memory :
+       {&state.weft_bending, &state.warp_bending, &state.shear, &state.weft_tension, &state.warp_tension})
+    memory->resize(count);
+  const auto give = [&](T* const* from, const LawTableView<T>& law, std::vector<PlayState>& to,
+                        std::size_t slot, std::ptrdiff_t p) {
+    for (int j = 0; j < law.plays; ++j)
+      to[slot].position[static_cast<std::size_t>(j)] = static_cast<double>(from[j][p]);
+  };
+  for (int row = 0; row < g.rows; ++row) {
+    for (int column = 0; column < g.columns; ++column) {
+      const auto i = static_cast<std::size_t>(row * columns_ + column);
+      const std::ptrdiff_t p = g.at(row) + column;
+      state.positions[i] = vector_at(g.x, p);
+      state.velocities[i] = vector_at(g.v, p);
+      give(g.memory_weft_bending, constants_.weft_bending, state.weft_bending, i, p);
+      give(g.memory_warp_bending, constants_.warp_bending, state.warp_bending, i, p);
+      give(g.memory_shear, constants_.shear, state.shear, i, p);
+      give(g.memory_weft_tension, constants_.weft_tension, state.weft_tension, i, p);
+      give(g.memory_warp_tension, constants_.warp_tension, state.warp_tension, i, p);
+    }
+  }
+  state.time = time_;
+}
+
+template class SolverImplicit<float>;
+template class SolverImplicit<double>;
+
+}  // namespace fuai

@@ -1,0 +1,127 @@
+// The implicit step: one linearised minimisation of the incremental potential a tick, solved by conjugate
+// gradients with exact solves along every yarn.
+// SPDX-License-Identifier: Apache-2.0
+// Source: docs/theory/engine.md (energies), docs/theory/implicit-step.md (step, preconditioner, guards).
+//
+//   make (allocates) -> restore(state) -> [place / attach -> step]* -> save(state)
+//   float at run time, double for checking; both from one source
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "fuai/cloth/cloth_model.h"
+#include "fuai/core/constants.h"
+#include "fuai/solver/cloth_material.h"
+#include "fuai/solver/implicit_kernels.h"
+#include "fuai/solver/implicit_storage.h"
+
+namespace fuai {
+
+/// What goes into P^-1.
+enum class Preconditioner {
+  kYarnLines,  ///< mean of the exact solves along all warp yarns and along all weft yarns
+  kBlocks,     ///< 3 x 3 blocks of the nodes alone: the fallback
+};
+
+/// How a step is done.
+struct ImplicitOptions {
+  int iterations = 8;        ///< conjugate gradients a linearisation, at most
+  int linearisations = 2;    ///< at most, a step
+  double relinearise = 0.1;  ///< once more while the force out of balance exceeds this part of what it was
+  double tolerance =
+      0.0;  ///< stop when the force out of balance is below this, root of the sum of squares [N]
+  Preconditioner preconditioner = Preconditioner::kYarnLines;
+  bool guards = true;                            ///< line searches that keep under-converged steps safe
+  Vec3 gravity = {0.0, 0.0, -kStandardGravity};  ///< [m/s2]
+  Vec3 wind = Vec3::Zero();                      ///< velocity of the air [m/s]
+};
+
+/// A node tied to a point by a spring that is solved for with the cloth.
+struct Attachment {
+  int slot = 0;
+  double stiffness = 0.0;      ///< [N/m]
+  Vec3 target = Vec3::Zero();  ///< [m]
+};
+
+/// What a step did.
+struct StepReport {
+  enum Status : std::uint32_t {
+    kFine = 0,
+    kNotFinite = 1,    ///< a number went wrong; the state before the step was kept, at rest
+    kStartedBack = 2,  ///< the first guess was pulled back (guard A)
+    kShortened = 4,    ///< the step was shortened (guard B)
+  };
+  std::uint32_t status = kFine;
+  int linearisations = 0;
+  int iterations = 0;  ///< conjugate gradients, all together
+  int evaluations = 0;
+  double residual = 0.0;  ///< force out of balance after the step, root of the sum of squares [N]
+};
+
+/// The solver. T is float or double.
+template <class T>
+class SolverImplicit {
+ public:
+  /// Allocates everything a step needs. @param attachments most attachments at a time
+  /// @throws Error (kUsage) for options out of range. Thread class: set-up.
+  SolverImplicit(const ClothModel& model, const ClothMaterial& material, const ImplicitOptions& options,
+                 std::size_t attachments = 0);
+  /// Takes over a state. Thread class: set-up.
+  void restore(const ClothState& state);
+  /// Copies the state out; restore() of it continues bit for bit. Thread class: set-up.
+  void save(ClothState& state) const;
+
+  /// Where a fixed slot is at the end of the next step. Thread class: real-time.
+  void place(int slot, const Vec3& position) noexcept;
+  /// Springs of the next steps; those that do not fit are left out. Thread class: real-time.
+  void attach(std::span<const Attachment> attachments) noexcept;
+  /// One step. Thread class: real-time. @param dt [s], > 0
+  StepReport step(double dt) noexcept;
+
+  /// Position of a slot [m]. Thread class: real-time.
+  Vec3 position(int slot) const noexcept;
+  Vec3 velocity(int slot) const noexcept;
+  /// Force of the cloth on a fixed slot after the last step, its weight included [N]: what the clamp carries.
+  Vec3 force_on_fixed(int slot) const noexcept;
+  /// Force of an attachment on its node after the last step [N].
+  Vec3 force_of_attachment(std::size_t index) const noexcept;
+  double time() const noexcept { return time_; }
+  const ImplicitOptions& options() const noexcept { return options_; }
+  void set_options(const ImplicitOptions& options) noexcept { options_ = options; }
+  /// Bytes of all arrays that belong to nodes.
+  std::size_t bytes() const noexcept;
+  const char* target() const noexcept { return kernels_->target; }
+
+ private:
+  void begin_step(double dt) noexcept;
+  void evaluate(Evaluation what) noexcept;
+  void add_attachments(bool linearise) noexcept;
+  void start(StepReport& report) noexcept;
+  double solve(StepReport& report) noexcept;
+  void search_back(double slope, StepReport& report) noexcept;
+  void give_up() noexcept;
+  template <class Kernel, class... Arguments>
+  double rows(Kernel kernel, const Arguments&... arguments) noexcept;
+  template <class Kernel, class... Arguments>
+  void vectors(Kernel kernel, int count, const Arguments&... arguments) noexcept;
+
+  const ImplicitKernels<T>* kernels_ = nullptr;
+  std::unique_ptr<ImplicitStorage<T>> storage_;
+  ImplicitGrid<T> grid_;
+  ImplicitConstants<T> constants_;
+  ImplicitStepConstants<T> step_;
+  ImplicitOptions options_;
+  std::vector<T> scratch_;
+  std::vector<Attachment> attachments_;
+  std::size_t attached_ = 0;
+  int columns_ = 0;
+  double time_ = 0.0;
+};
+
+extern template class SolverImplicit<float>;
+extern template class SolverImplicit<double>;
+
+}  // namespace fuai

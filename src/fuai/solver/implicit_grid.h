@@ -1,0 +1,111 @@
+// The arrays of the implicit solver: one piece of cloth as padded rows of numbers.
+// SPDX-License-Identifier: Apache-2.0
+// Source: docs/theory/implicit-step.md.
+//
+//   node (column, row) is number at(row) + column of every array; kPadRows rows of zeros lie before the first
+//   and after the last row, and at least one zero column after the last, so that every neighbour can be read
+//   transposed arrays (suffix _t) hold the same nodes column by column, for the lines along the weft
+#pragma once
+
+#include <cstddef>
+
+#include "fuai/solver/law_table.h"
+
+namespace fuai {
+
+inline constexpr int kPadRows = 2;
+/// Rows are padded to whole vectors of the widest machine: 64 bytes.
+inline constexpr std::size_t kVectorBytes = 64;
+
+/// What stays the same during a step.
+template <class T>
+struct ImplicitConstants {
+  T h = 1, inverse_h = 1;  ///< spacing [m]
+  T twist = 0;             ///< 4 Bt / h^4, times the area: stiffness of D12 [1/m2 N/m]
+  T poisson_bending = 0;   ///< B12 [N m]
+  T free_edge_weft = 0,
+    free_edge_warp = 0;  ///< B12^2 / B of the other direction [N m]: taken off at a free edge
+  T viscosity_weft = 0, viscosity_warp = 0;  ///< eta [N s/m]
+  T areal_mass = 0;                          ///< [kg/m2]
+  T mass_drag = 0;                           ///< c [1/s]
+  T air_normal = 0, air_tangential = 0;      ///< rho C / 2 [kg/m3]
+  LawTableView<T> weft_bending, warp_bending, shear, weft_tension, warp_tension;
+};
+
+/// What changes from step to step but not within one.
+template <class T>
+struct ImplicitStepConstants {
+  T dt = 0, inverse_dt = 0;
+  T inertia = 0;         ///< (1 + c dt) / dt^2 [1/s2]
+  T velocity_gain = 0;   ///< dt / (1 + c dt): y = xn + this * (v + dt g) [s]
+  T gravity_dt[3] = {};  ///< dt g [m/s]
+  T wind_dt[3] = {};     ///< dt times the velocity of the air [m]
+};
+
+/// Three components of one field.
+template <class T>
+struct Field3 {
+  T* x = nullptr;
+  T* y = nullptr;
+  T* z = nullptr;
+};
+
+/// The arrays (nodes each, unless said).
+template <class T>
+struct ImplicitGrid {
+  int columns = 0, rows = 0;
+  int stride = 0;    ///< numbers a row, a multiple of kVectorBytes / sizeof(T)
+  int stride_t = 0;  ///< numbers a column of the transposed arrays
+  // Constant.
+  T* live = nullptr;       ///< 1 or 0
+  T* mobile = nullptr;     ///< 1: live and not fixed
+  T* node_area = nullptr;  ///< [m2]
+  T* cell_area = nullptr;  ///< [m2]
+  T* weft_edge = nullptr;  ///< areas [m2]
+  T* warp_edge = nullptr;
+  T* weft_bend = nullptr;
+  T* warp_bend = nullptr;
+  T* weft_curve = nullptr;  ///< 2 / bend length [1/m]
+  T* warp_curve = nullptr;
+  // State.
+  Field3<T> x, v;
+  T* weft_strain_n = nullptr;  ///< strains at the start of the step, for viscosity
+  T* warp_strain_n = nullptr;
+  T* memory_weft_bending[kMaxPlays] = {};
+  T* memory_warp_bending[kMaxPlays] = {};
+  T* memory_shear[kMaxPlays] = {};
+  T* memory_weft_tension[kMaxPlays] = {};
+  T* memory_warp_tension[kMaxPlays] = {};
+  // One step.
+  Field3<T> xn;       ///< positions at its start
+  Field3<T> force;    ///< -dE/dx of the step's potential; then the residual of the linear solve
+  Field3<T> d, p, q;  ///< solution, direction, and A p or P r
+  T* strain[5] =
+      {};  ///< kappa weft, kappa warp, gamma, eps weft, eps warp of the last evaluation; shares p and q
+  // Linearisation.
+  T* ground = nullptr;  ///< stiffness to the world, isotropic: inertia, tangential air, grasp [N/m]
+  T* air = nullptr;     ///< the same along the normal, in addition
+  Field3<T> weft_axis, warp_axis;  ///< sqrt(k_along) u of the edges
+  T* weft_side = nullptr;          ///< k_across of the edges [N/m]
+  T* warp_side = nullptr;
+  Field3<T> normal;
+  T* weft_stiff = nullptr;  ///< of n.D1, n.D2 and their product [N/m]
+  T* warp_stiff = nullptr;
+  T* cross_stiff = nullptr;           ///< null without B12
+  Field3<T> shear_plus, shear_minus;  ///< sqrt(k) times the gradient of gamma at x11 and at x10
+  // Lines: 6 of the inverted diagonal (xx, xy, xz, yy, yz, zz) and 6 of the coupling to the next node.
+  T* warp_inverse[6] = {};
+  T* warp_link[6] = {};
+  T* weft_inverse_t[6] = {};
+  T* weft_link_t[6] = {};
+  Field3<T> line_t;  ///< right-hand side and solution of the weft lines
+  // Partial sums, one a row.
+  double* partial = nullptr;
+
+  std::ptrdiff_t at(int row) const noexcept { return static_cast<std::ptrdiff_t>(row + kPadRows) * stride; }
+  std::ptrdiff_t at_t(int column) const noexcept {
+    return static_cast<std::ptrdiff_t>(column + kPadRows) * stride_t;
+  }
+};
+
+}  // namespace fuai

@@ -1,0 +1,76 @@
+// The vector kernels of the implicit solver, chosen for the processor at run time.
+// SPDX-License-Identifier: Apache-2.0
+// Source: docs/theory/implicit-step.md.
+#pragma once
+
+#include "fuai/solver/implicit_grid.h"
+
+namespace fuai {
+
+/// What an evaluation leaves behind besides forces and strains.
+enum class Evaluation {
+  kForce,      ///< nothing
+  kLinearise,  ///< the linearisation arrays
+};
+
+/// Kernels over rows [begin, end), or over vectors of lines where said (lanes() lines each). All are
+/// noexcept, allocate nothing and write only what belongs to their rows, so that rows may be shared out to
+/// threads in any way without changing a bit. Sums go to `partial`, one a row.
+template <class T>
+struct ImplicitKernels {
+  using Grid = ImplicitGrid<T>;
+  /// force = -dE/dx of internal energy, weight, inertia and air; strains; the linearisation on request.
+  /// @param scratch evaluate_scratch() numbers, one set a caller
+  void (*evaluate)(const Grid&, const ImplicitConstants<T>&, const ImplicitStepConstants<T>&, Evaluation,
+                   T* scratch, int begin, int end);
+  /// Moves the friction memory to the strains of the last evaluation and remembers the strains of the edges.
+  void (*commit)(const Grid&, const ImplicitConstants<T>&, int begin, int end);
+  /// q = A p; partial = p.q. Nodes that are not mobile are left out.
+  void (*multiply)(const Grid&, const ImplicitConstants<T>&, T* scratch, int begin, int end);
+  /// Diagonal blocks of A into warp_inverse and weft_inverse_t, couplings along the yarns into warp_link and
+  /// weft_link_t; without links the preconditioner is block Jacobi.
+  void (*assemble)(const Grid&, const ImplicitConstants<T>&, bool links, int begin, int end);
+  /// Factors the warp lines of the columns of vectors [begin, end).
+  void (*factor_warp)(const Grid&, int begin, int end);
+  /// Factors the weft lines of the rows of vectors [begin, end).
+  void (*factor_weft)(const Grid&, int begin, int end);
+  /// q = (warp lines)^-1 force; columns of vectors [begin, end).
+  void (*solve_warp)(const Grid&, int begin, int end);
+  /// line_t = (weft lines)^-1 force; rows of vectors [begin, end).
+  void (*solve_weft)(const Grid&, int begin, int end);
+  /// q = (q + line_t) / 2; partial = force.q; rows of vectors [begin, end).
+  void (*average)(const Grid&, int begin, int end);
+  /// d += alpha p, force -= alpha q; partial = force.force.
+  void (*advance)(const Grid&, T alpha, int begin, int end);
+  /// p = q + beta p.
+  void (*direct)(const Grid&, T beta, int begin, int end);
+  /// force *= mobile, d = p = 0; partial = force.force.
+  void (*begin_solve)(const Grid&, int begin, int end);
+  /// xn = x.
+  void (*keep)(const Grid&, int begin, int end);
+  /// x of mobile nodes = xn + scale v.
+  void (*replace)(const Grid&, T scale, int begin, int end);
+  /// x += scale d.
+  void (*move)(const Grid&, T scale, int begin, int end);
+  /// partial = force.d and force.v over mobile nodes.
+  void (*work_d)(const Grid&, int begin, int end);
+  void (*work_v)(const Grid&, int begin, int end);
+  /// partial = force.force over mobile nodes.
+  void (*square)(const Grid&, int begin, int end);
+  /// v = (x - xn) / dt.
+  void (*finish)(const Grid&, T inverse_dt, int begin, int end);
+  /// Numbers of scratch that evaluate and multiply need.
+  int (*scratch_size)(const Grid&);
+  const char* target = "";  ///< name of the instruction set
+  int lanes = 0;            ///< numbers a vector
+};
+
+/// The kernels for this processor. Thread class: set-up.
+template <class T>
+const ImplicitKernels<T>& implicit_kernels();
+template <>
+const ImplicitKernels<float>& implicit_kernels<float>();
+template <>
+const ImplicitKernels<double>& implicit_kernels<double>();
+
+}  // namespace fuai

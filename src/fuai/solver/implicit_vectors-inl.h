@@ -1,0 +1,143 @@
+// Sums and updates of whole fields in lanes; included once per instruction set.
+// SPDX-License-Identifier: Apache-2.0
+#if defined(FUAI_IMPLICIT_VECTORS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef FUAI_IMPLICIT_VECTORS_INL_H_
+#undef FUAI_IMPLICIT_VECTORS_INL_H_
+#else
+#define FUAI_IMPLICIT_VECTORS_INL_H_
+#endif
+
+#include "fuai/solver/implicit_lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace fuai {
+namespace HWY_NAMESPACE {
+
+template <class T>
+void advance_rows(const ImplicitGrid<T>& g, T alpha, int begin, int end) {
+  const int lanes = lanes_of<T>();
+  for (int row = begin; row < end; ++row) {
+    Lane<T> sum = hn::Zero(Tag<T>());
+    for (int c = 0; c < g.stride; c += lanes) {
+      const std::ptrdiff_t p = g.at(row) + c;
+      store3(mul_add(set(alpha), load3(g.p, p), load3(g.d, p)), g.d, p);
+      const Lane3<T> r = neg_mul_add(set(alpha), load3(g.q, p), load3(g.force, p));
+      store3(r, g.force, p);
+      sum = add_dot<T>(r, r, sum);
+    }
+    g.partial[row] = sum_of_lanes<T>(sum);
+  }
+}
+
+template <class T>
+void direct_rows(const ImplicitGrid<T>& g, T beta, int begin, int end) {
+  const int lanes = lanes_of<T>();
+  for (int row = begin; row < end; ++row) {
+    for (int c = 0; c < g.stride; c += lanes) {
+      const std::ptrdiff_t p = g.at(row) + c;
+      store3(mul_add(set(beta), load3(g.p, p), load3(g.q, p)), g.p, p);
+    }
+  }
+}
+
+template <class T>
+void begin_solve_rows(const ImplicitGrid<T>& g, int begin, int end) {
+  const int lanes = lanes_of<T>();
+  for (int row = begin; row < end; ++row) {
+    Lane<T> sum = hn::Zero(Tag<T>());
+    for (int c = 0; c < g.stride; c += lanes) {
+      const std::ptrdiff_t p = g.at(row) + c;
+      const Lane3<T> r = scale(load(g.mobile + p), load3(g.force, p));
+      store3(r, g.force, p);
+      store3(zero3<T>(), g.d, p);
+      store3(zero3<T>(), g.p, p);
+      sum = add_dot<T>(r, r, sum);
+    }
+    g.partial[row] = sum_of_lanes<T>(sum);
+  }
+}
+
+/// x = xn + s v where the node may move.
+template <class T>
+HWY_INLINE void place(const ImplicitGrid<T>& g, const Lane3<T>& xn, T s, std::ptrdiff_t p) {
+  const auto moves = hn::Gt(load(g.mobile + p), hn::Zero(Tag<T>()));
+  const Lane3<T> x = load3(g.x, p), y = mul_add(set(s), load3(g.v, p), xn);
+  store3(Lane3<T>{hn::IfThenElse(moves, y.x, x.x), hn::IfThenElse(moves, y.y, x.y),
+                  hn::IfThenElse(moves, y.z, x.z)},
+         g.x, p);
+}
+
+template <class T>
+void replace_rows(const ImplicitGrid<T>& g, T s, int begin, int end) {
+  const int lanes = lanes_of<T>();
+  for (int row = begin; row < end; ++row) {
+    for (int c = 0; c < g.stride; c += lanes) {
+      const std::ptrdiff_t p = g.at(row) + c;
+      place(g, load3(g.xn, p), s, p);
+    }
+  }
+}
+
+template <class T>
+void keep_rows(const ImplicitGrid<T>& g, int begin, int end) {
+  const int lanes = lanes_of<T>();
+  for (int row = begin; row < end; ++row) {
+    for (int c = 0; c < g.stride; c += lanes) {
+      const std::ptrdiff_t p = g.at(row) + c;
+      store3(load3(g.x, p), g.xn, p);
+    }
+  }
+}
+
+template <class T>
+void move_rows(const ImplicitGrid<T>& g, T s, int begin, int end) {
+  const int lanes = lanes_of<T>();
+  for (int row = begin; row < end; ++row) {
+    for (int c = 0; c < g.stride; c += lanes) {
+      const std::ptrdiff_t p = g.at(row) + c;
+      store3(mul_add(set(s), load3(g.d, p), load3(g.x, p)), g.x, p);
+    }
+  }
+}
+
+template <class T>
+HWY_INLINE void work_rows(const ImplicitGrid<T>& g, const Field3<T>& along, int begin, int end) {
+  const int lanes = lanes_of<T>();
+  for (int row = begin; row < end; ++row) {
+    Lane<T> sum = hn::Zero(Tag<T>());
+    for (int c = 0; c < g.stride; c += lanes) {
+      const std::ptrdiff_t p = g.at(row) + c;
+      sum = add_dot<T>(scale(load(g.mobile + p), load3(g.force, p)), load3(along, p), sum);
+    }
+    g.partial[row] = sum_of_lanes<T>(sum);
+  }
+}
+template <class T>
+void work_d_rows(const ImplicitGrid<T>& g, int begin, int end) {
+  work_rows(g, g.d, begin, end);
+}
+template <class T>
+void work_v_rows(const ImplicitGrid<T>& g, int begin, int end) {
+  work_rows(g, g.v, begin, end);
+}
+
+template <class T>
+void square_rows(const ImplicitGrid<T>& g, int begin, int end) {
+  work_rows(g, g.force, begin, end);
+}
+
+template <class T>
+void finish_rows(const ImplicitGrid<T>& g, T inverse_dt, int begin, int end) {
+  const int lanes = lanes_of<T>();
+  for (int row = begin; row < end; ++row) {
+    for (int c = 0; c < g.stride; c += lanes) {
+      const std::ptrdiff_t p = g.at(row) + c;
+      store3(scale(set(inverse_dt), sub(load3(g.x, p), load3(g.xn, p))), g.v, p);
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace fuai
+HWY_AFTER_NAMESPACE();
+#endif  // include guard of the instruction set
