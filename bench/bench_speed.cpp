@@ -1,0 +1,251 @@
+// Times one tick of every solver on the same lattice, taking turns.
+// SPDX-License-Identifier: Apache-2.0
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "bench_engine.h"
+#include "fuai/core/hash.h"
+#include "fuai/fabric/scalar_laws.h"
+#include "fuai/solver/explicit.h"
+#include "fuai/solver/implicit.h"
+#include "fuai/solver/relaxation.h"
+#include "support/linear_laws.h"
+#include "taut_patch.h"
+#include "thread_clock.h"
+#ifdef FUAI_BENCH_BULLET
+#include "bullet_cloth.h"
+#endif
+
+namespace fuai_bench {
+namespace {
+
+using namespace fuai;
+
+/// One solver on one lattice.
+struct Contender {
+  std::string name;
+  int side = 0;
+  int batch = 10;                      ///< ticks a turn that are timed; one before them only warms the caches
+  double ticks_a_call = 1.0;           ///< of run
+  std::function<void()> run;           ///< advances the cloth
+  std::function<std::string()> hash;   ///< of the positions
+  std::function<std::string()> extra;  ///< a remark
+  double bytes = 0.0;                  ///< 0: not said
+  bool yardstick = false;              ///< Bullet's
+  std::vector<double> microseconds{};  ///< a tick
+  long calls = 0;
+};
+
+std::string hash_of(const std::vector<Vec3>& positions) {
+  StateHash hash;
+  for (const Vec3& x : positions) hash.add(x.data(), 3 * sizeof(double));
+  return hash.hex();
+}
+
+/// Totals over the ticks of an implicit solver.
+struct ImplicitRun {
+  explicit ImplicitRun(const ClothModel& model, const ClothMaterial& material, const ImplicitOptions& options)
+      : solver(model, material, options) {}
+  SolverImplicit<float> solver;
+  long ticks = 0, evaluations = 0;
+};
+
+Contender implicit_contender(int side, int iterations, const ClothMaterial& material,
+                             const std::string& name) {
+  const ClothModel model = two_corner_square(side);
+  ImplicitOptions options;
+  options.iterations = iterations;
+  options.linearisations = 1;
+  const auto run = std::make_shared<ImplicitRun>(model, material, options);
+  Contender c;
+  c.name = name;
+  c.side = side;
+  c.bytes = static_cast<double>(run->solver.bytes());
+  c.run = [run] {
+    run->evaluations += run->solver.step(kTick).evaluations;
+    ++run->ticks;
+  };
+  c.hash = [run, model] {
+    ClothState state = make_cloth_state(model);
+    run->solver.save(state);
+    return hash_of(state.positions);
+  };
+  c.extra = [run] {
+    return fixed_text(static_cast<double>(run->evaluations) / static_cast<double>(run->ticks), 2) +
+           " evaluations";
+  };
+  return c;
+}
+
+/// As much friction memory as a law made of KES scalars brings: three play elements in each.
+ClothMaterial three_play_material() {
+  ClothMaterial m = bench_material();
+  m.weft_bending = m.warp_bending = make_bending_law(1e-5, 4.9e-4, 3e3);
+  m.shear = make_shear_law(56.0, 1.48, 3.0);
+  m.weft_tension = m.warp_tension = make_tensile_law(0.7, 0.6, 0.05, 490.0);
+  m.twist_stiffness = 2e-6;
+  m.air_density = 1.2;
+  return m;
+}
+
+Contender explicit_contender(int side) {
+  struct Run {
+    ClothModel model;
+    ClothMaterial material = bench_material();
+    ClothState state;
+    SolverExplicit solver;
+  };
+  const auto run = std::make_shared<Run>();
+  run->model = two_corner_square(side);
+  run->state = make_cloth_state(run->model);
+  ExplicitOptions options;
+  options.substeps = static_cast<int>(std::ceil(kTick / stable_substep(run->model, run->material)));
+  run->solver.prepare(run->model, run->material, options);
+  Contender c;
+  c.name = "explicit oracle (double)";
+  c.side = side;
+  c.batch = 1;
+  c.run = [run] { run->solver.step(run->state, kTick); };
+  c.hash = [run] { return hash_of(run->state.positions); };
+  c.extra = [options] { return std::to_string(options.substeps) + " substeps"; };
+  return c;
+}
+
+Contender relaxation_contender(int side) {
+  constexpr int kSteps = 20;
+  struct Run {
+    LatticeModel model;
+    FabricLaws laws = fuai_test::linear_laws(0.1, 0.025, 150.0);
+    LatticeState state;
+    SolverRelaxation solver;
+  };
+  const auto run = std::make_shared<Run>();
+  run->model = make_lattice_model({side, side, kSpacing, kArealMass, {side * (side - 1), side * side - 1}});
+  run->state = make_lattice_state(run->model);
+  run->solver.prepare(run->model, run->laws);
+  Contender c;
+  c.name = "the paper's relaxation, one step";
+  c.side = side;
+  c.batch = 2;
+  c.ticks_a_call = kSteps;
+  c.run = [run] {
+    RelaxationStop stop;
+    stop.tolerance = 0.0;
+    stop.max_steps = kSteps;
+    run->solver.run(run->state, stop);
+  };
+  c.hash = [run] { return hash_of(run->state.positions); };
+  c.extra = [] { return std::string("no time in it: a step is not a millisecond"); };
+  return c;
+}
+
+#ifdef FUAI_BENCH_BULLET
+Contender bullet_contender(int side, bool shuffled, bool faces) {
+  const auto cloth =
+      std::make_shared<BulletCloth>(BulletClothOptions{side, kSpacing, kArealMass, 1, shuffled, faces});
+  Contender c;
+  c.name = std::string("Bullet soft body, 1 iteration") + (shuffled ? ", links shuffled" : "") +
+           (faces ? ", with faces" : "");
+  c.side = side;
+  c.bytes = static_cast<double>(cloth->bytes());
+  c.yardstick = !shuffled && !faces;
+  c.run = [cloth] { cloth->step(kTick); };
+  c.hash = [cloth] { return cloth->position_hash(); };
+  c.extra = [] { return std::string("stiffness not in units"); };
+  return c;
+}
+#endif
+
+/// Turns go round until every contender has had `turns`; 50 ticks before them are not timed.
+void race(std::vector<Contender>& contenders, int turns) {
+  constexpr int kWarmUp = 50;
+  for (Contender& c : contenders) {
+    for (double ticks = 0.0; ticks < (c.batch > 1 ? kWarmUp : 1); ticks += c.ticks_a_call, ++c.calls) c.run();
+  }
+  for (int turn = 0; turn < turns; ++turn) {
+    for (Contender& c : contenders) {
+      c.run();
+      for (int i = 0; i < c.batch; ++i) {
+        const double start = thread_seconds();
+        c.run();
+        c.microseconds.push_back(1e6 * (thread_seconds() - start) / c.ticks_a_call);
+      }
+      c.calls += c.batch + 1;
+    }
+  }
+}
+
+void print_race(Report& report, const std::vector<Contender>& contenders) {
+  std::optional<double> yardstick;
+  for (const Contender& c : contenders) {
+    if (c.yardstick) yardstick = spread(c.microseconds).median;
+  }
+  std::vector<Row> rows;
+  for (const Contender& c : contenders) {
+    const Spread s = spread(c.microseconds);
+    const double nodes = static_cast<double>(c.side) * c.side;
+    rows.push_back({c.name, short_text(s.median), short_text(s.p10) + " to " + short_text(s.p90),
+                    short_text(1e3 * s.median / nodes),
+                    yardstick ? fixed_text(s.median / *yardstick, 3) : "-",
+                    c.bytes > 0.0 ? fixed_text(c.bytes / nodes, 0) : "-", c.extra(),
+                    c.hash() + " after " + fixed_text(static_cast<double>(c.calls) * c.ticks_a_call, 0)});
+  }
+  const int side = contenders.front().side;
+  report.paragraph(std::to_string(side) + " x " + std::to_string(side) + " nodes:");
+  report.table({"solver", "us a tick", "p10 to p90", "ns a node", "of Bullet", "B a node", "a tick has",
+                "state hash after ticks"},
+               rows);
+}
+
+std::vector<Contender> contenders_at(int side) {
+  const ClothMaterial material = bench_material();
+  std::vector<Contender> c;
+  c.push_back(implicit_contender(side, 5, material, "implicit, 5 iterations"));
+  c.push_back(implicit_contender(side, 8, material, "implicit, 8 iterations"));
+#ifdef FUAI_BENCH_BULLET
+  c.push_back(bullet_contender(side, false, false));
+  if (side == 64) {
+    c.push_back(bullet_contender(side, true, false));
+    c.push_back(bullet_contender(side, false, true));
+  }
+#endif
+  if (side == 64) {
+    c.push_back(
+        implicit_contender(side, 8, three_play_material(), "implicit, 8, three plays a law, twist, air"));
+    c.push_back(relaxation_contender(side));
+  }
+  if (side == 32 || side == 64) c.push_back(explicit_contender(side));
+  return c;
+}
+
+}  // namespace
+
+void report_speed(Report& report, bool quick) {
+  report.heading("Speed");
+  report.paragraph(
+      "One tick of 1 ms on one core, CPU time of the thread, median of interleaved repetitions; 1 cm "
+      "spacing, "
+      "0.15 kg/m2, two corners held, falling from flat; one linearisation, float.");
+#ifndef FUAI_BENCH_BULLET
+  report.paragraph("Bullet was not found when this was built (Debian: libbullet-dev): its rows are missing.");
+#endif
+  double at_64[2] = {}, at_200[2] = {};
+  for (int side : {18, 32, 64, 100, 200}) {
+    std::vector<Contender> contenders = contenders_at(side);
+    const int turns = (side < 100 ? 20 : side < 200 ? 8 : 4) / (quick ? 4 : 1);
+    race(contenders, turns);
+    print_race(report, contenders);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double nanoseconds = 1e3 * spread(contenders[i].microseconds).median / (side * side);
+      if (side == 64) at_64[i] = nanoseconds;
+      if (side == 200) at_200[i] = nanoseconds;
+    }
+  }
+  report.paragraph(
+      "Cost of a node at 200 x 200 over that at 64 x 64: " + fixed_text(at_200[0] / at_64[0], 2) +
+      " with 5 iterations, " + fixed_text(at_200[1] / at_64[1], 2) + " with 8.");
+}
+
+}  // namespace fuai_bench
