@@ -1,5 +1,6 @@
 // Times the kernels of one implicit tick and compares them with the limits of the machine.
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -177,31 +178,29 @@ double clock_seconds() {
   return spread(seconds).median;
 }
 
-/// The limit of the smallest measured array that the cloth fits in, else of the largest.
+/// The limit of the measured array nearest in size to what a kernel goes through.
 const Bandwidth& bandwidth_for(const MachineLimits& limits, double bytes) {
-  for (const Bandwidth& b : limits.bandwidths) {
-    if (bytes <= static_cast<double>(b.bytes)) return b;
-  }
-  return limits.bandwidths.back();
+  const auto distance = [bytes](const Bandwidth& b) {
+    return std::abs(std::log(bytes / static_cast<double>(b.bytes)));
+  };
+  return *std::min_element(limits.bandwidths.begin(), limits.bandwidths.end(),
+                           [&](const Bandwidth& a, const Bandwidth& b) { return distance(a) < distance(b); });
 }
 
-struct Total {
-  double nanoseconds = 0.0, flops = 0.0, numbers = 0.0;
+/// Per node: what was measured, and the least that the machine's limits allow [ns].
+struct Times {
+  double measured = 0.0, arithmetic = 0.0, memory = 0.0;
 };
 
-Row kernel_row(const std::string& name, double calls, const Total& once, const MachineLimits& limits,
-               const Bandwidth& bandwidth) {
-  const double seconds = 1e-9 * once.nanoseconds;
-  const double arithmetic = once.flops / seconds / limits.flops_per_second;
-  const double traffic = once.numbers * sizeof(float) / seconds / bandwidth.bytes_per_second;
+Row kernel_row(const std::string& name, double calls, const Times& once, const KernelCost& cost) {
   return {name,
           fixed_text(calls, 0),
-          fixed_text(once.nanoseconds, 2),
-          fixed_text(once.nanoseconds * calls, 1),
-          fixed_text(once.flops, 0),
-          fixed_text(once.numbers * sizeof(float), 0),
-          fixed_text(100.0 * arithmetic, 0) + " %",
-          fixed_text(100.0 * traffic, 0) + " %"};
+          fixed_text(once.measured, 2),
+          fixed_text(once.measured * calls, 1),
+          fixed_text(cost.flops, 0),
+          fixed_text(cost.numbers * sizeof(float), 0),
+          fixed_text(100.0 * once.arithmetic / once.measured, 0) + " %",
+          fixed_text(100.0 * once.memory / once.measured, 0) + " %"};
 }
 
 void report_side(Report& report, const MachineLimits& limits, int side, int ticks) {
@@ -211,22 +210,24 @@ void report_side(Report& report, const MachineLimits& limits, int side, int tick
   const double nodes = static_cast<double>(side) * side, clock = clock_seconds();
   const double bytes =
       static_cast<double>(ImplicitStorage<float>(two_corner_square(side), bench_material()).bytes());
-  const Bandwidth& bandwidth = bandwidth_for(limits, bytes);
-  Total sum;
+  Times sum;
+  KernelCost sum_cost{0.0, 0.0};
   std::vector<Row> rows;
   for (const KernelRun& kernel : kernels) {
-    const double nanoseconds = 1e9 * (spread(kernel.seconds).median - clock) / nodes;
-    const Total once{nanoseconds, kernel.cost.flops, kernel.cost.numbers};
-    rows.push_back(kernel_row(kernel.name, kernel.calls, once, limits, bandwidth));
-    sum.nanoseconds += kernel.calls * once.nanoseconds;
-    sum.flops += kernel.calls * once.flops;
-    sum.numbers += kernel.calls * once.numbers;
+    const double traffic = kernel.cost.numbers * sizeof(float);
+    const Times once{1e9 * (spread(kernel.seconds).median - clock) / nodes,
+                     1e9 * kernel.cost.flops / limits.flops_per_second,
+                     1e9 * traffic / bandwidth_for(limits, traffic * nodes).bytes_per_second};
+    rows.push_back(kernel_row(kernel.name, kernel.calls, once, kernel.cost));
+    sum.measured += kernel.calls * once.measured;
+    sum.arithmetic += kernel.calls * once.arithmetic;
+    sum.memory += kernel.calls * once.memory;
+    sum_cost.flops += kernel.calls * kernel.cost.flops;
+    sum_cost.numbers += kernel.calls * kernel.cost.numbers;
   }
-  rows.push_back(
-      kernel_row("sum, " + std::to_string(kIterations) + " iterations", 1, sum, limits, bandwidth));
+  rows.push_back(kernel_row("sum, " + std::to_string(kIterations) + " iterations", 1, sum, sum_cost));
   report.paragraph(std::to_string(side) + " x " + std::to_string(side) + " nodes, " +
-                   fixed_text(bytes / nodes, 0) + " B a node, memory limit of " +
-                   std::to_string(bandwidth.bytes / 1024) + " KiB:");
+                   fixed_text(bytes / nodes, 0) + " B a node:");
   report.table({"kernel", "calls", "ns a node a call", "ns a node a tick", "flops a node", "B a node",
                 "of arithmetic", "of memory"},
                rows);
@@ -238,8 +239,12 @@ void report_kernels(Report& report, const MachineLimits& limits, bool quick) {
   report.heading("Kernels of a tick");
   report.paragraph(
       "Each kernel in the order of a tick with one linearisation and both guards silent, median of CPU times "
-      "less the cost of the clock. Flops and bytes are counted from the formulas; the last two columns are "
-      "their rates over the limits above.");
+      "less the cost of the clock. Flops and bytes are counted from the formulas. The last two columns are "
+      "the "
+      "least time that the limits above allow over the measured one; the memory limit is that of the array "
+      "nearest in size to what the kernel goes through, as much read as written, so that a kernel that "
+      "mostly "
+      "reads, or finds its rows in a nearer cache again, may pass 100 %.");
   for (int side : {64, 200}) report_side(report, limits, side, (side == 64 ? 400 : 60) / (quick ? 4 : 1));
 }
 

@@ -3,6 +3,7 @@
 #include "bullet_cloth.h"
 
 #include <BulletSoftBody/btSoftBody.h>
+#include <BulletSoftBody/btSoftBodyHelpers.h>
 #include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 #include <btBulletDynamicsCommon.h>
@@ -43,6 +44,27 @@ void for_links(int n, const Link& link) {
   }
 }
 
+btSoftBody* yarn_patch(const BulletClothOptions& options, btSoftBodyWorldInfo& info) {
+  const int n = options.side;
+  std::vector<btVector3> positions;
+  for (int r = 0; r < n; ++r) {
+    for (int c = 0; c < n; ++c)
+      positions.emplace_back(static_cast<btScalar>(c * options.spacing),
+                             static_cast<btScalar>(r * options.spacing), btScalar(0));
+  }
+  auto* body = new btSoftBody(&info, n * n, positions.data(), nullptr);
+  for_links(n, [&](int a, int b) { body->appendLink(a, b); });
+  return body;
+}
+
+btSoftBody* demo_patch(const BulletClothOptions& options, btSoftBodyWorldInfo& info) {
+  const auto length = static_cast<btScalar>((options.side - 1) * options.spacing);
+  auto* body = btSoftBodyHelpers::CreatePatch(info, {0, 0, 0}, {length, 0, 0}, {0, length, 0},
+                                              {length, length, 0}, options.side, options.side, 0, true);
+  body->generateBendingConstraints(2);
+  return body;
+}
+
 }  // namespace
 
 BulletCloth::BulletCloth(const BulletClothOptions& options) : world_(std::make_unique<World>()) {
@@ -50,31 +72,15 @@ BulletCloth::BulletCloth(const BulletClothOptions& options) : world_(std::make_u
   const btVector3 gravity(0, 0, static_cast<btScalar>(-fuai::kStandardGravity));
   world_->world.setGravity(gravity);
   world_->world.getWorldInfo().m_gravity = gravity;
-  std::vector<btVector3> positions;
-  for (int r = 0; r < n; ++r) {
-    for (int c = 0; c < n; ++c)
-      positions.emplace_back(static_cast<btScalar>(c * options.spacing),
-                             static_cast<btScalar>(r * options.spacing), btScalar(0));
-  }
-  const std::vector<btScalar> masses(
-      positions.size(), static_cast<btScalar>(options.areal_mass * options.spacing * options.spacing));
-  world_->body =
-      std::make_unique<btSoftBody>(&world_->world.getWorldInfo(), n * n, positions.data(), masses.data());
+  world_->body.reset(options.links == BulletLinks::kDemo ? demo_patch(options, world_->world.getWorldInfo())
+                                                         : yarn_patch(options, world_->world.getWorldInfo()));
   btSoftBody& body = *world_->body;
   body.m_materials[0]->m_kLST = 1;
   body.m_cfg.piterations = options.iterations;
   body.m_cfg.collisions = 0;
-  for_links(n, [&](int a, int b) { body.appendLink(a, b); });
-  if (options.faces) {
-    for (int r = 0; r + 1 < n; ++r) {
-      for (int c = 0; c + 1 < n; ++c) {
-        const int i = r * n + c;
-        body.appendFace(i, i + 1, i + n + 1);
-        body.appendFace(i, i + n + 1, i + n);
-      }
-    }
-  }
-  if (options.shuffled) body.randomizeConstraints();
+  if (options.links == BulletLinks::kYarnsShuffled) body.randomizeConstraints();
+  for (int i = 0; i < n * n; ++i)
+    body.setMass(i, static_cast<btScalar>(options.areal_mass * options.spacing * options.spacing));
   for (int corner : {(n - 1) * n, n * n - 1}) body.setMass(corner, 0);
   world_->world.addSoftBody(&body);
 }

@@ -8,18 +8,24 @@
 
 namespace fuai_bench {
 
+/// Which links a patch has.
+enum class BulletLinks {
+  kYarns,          ///< structural, shear both ways, bending over two spacings along both yarns: 6 a node
+  kYarnsShuffled,  ///< the same in random order, which Bullet offers for evenness
+  kDemo,           ///< as in Bullet's cloth demos: CreatePatch with diagonals and faces, and bending links
+                   ///< between all nodes two links apart, 12 a node; memory goes with the nodes squared
+};
+
 /// What the patch is made of. Bullet has no stiffness in units: its links are at their stiffest (kLST 1).
 struct BulletClothOptions {
   int side = 64;             ///< nodes a side
   double spacing = 0.01;     ///< [m]
   double areal_mass = 0.15;  ///< [kg/m2]
   int iterations = 1;        ///< of positions, a step
-  bool shuffled = false;     ///< links in random order, as Bullet's manual advises for evenness
-  bool faces = false;        ///< triangles too, as CreatePatch makes them; only their normals are computed
+  BulletLinks links = BulletLinks::kYarns;
 };
 
-/// A square patch held at two corners: structural links, shear links both ways, bending links over two
-/// spacings along both yarns. No collision.
+/// A square patch held at two corners. No collision.
 class BulletCloth {
  public:
   /// Thread class: set-up.
