@@ -110,6 +110,34 @@ TEST_SUITE("unit") {
     CHECK(total_area(split_polygon(tooth, 1, 1.0).high) == 2.0);
   }
 
+  TEST_CASE(
+      "corners on the line leave simple polygons: spikes beside an edge on the line, tips that touch it") {
+    // Above y = 3 a body whose bottom lies on the line, with a spike to the left on the line and one below
+    // it.
+    const Polygon spikes = {Vec2(5, 5), Vec2(3, 5), Vec2(3, 4), Vec2(0, 3),
+                            Vec2(3, 3), Vec2(2, 0), Vec2(4, 3), Vec2(5, 3)};
+    const SplitPolygon split = split_polygon(spikes, 1, 3.0);
+    REQUIRE(split.low.size() == 1);
+    REQUIRE(split.high.size() == 1);
+    CHECK(split.low[0].size() == 3);   // the lower spike and nothing along the line
+    CHECK(split.high[0].size() == 7);  // keeps the ends of the lower spike, so that both sides share them
+    // A notch from below whose tip touches the line: two polygons below, and the tip is a corner above.
+    const Polygon notch = {Vec2(0, 0), Vec2(1, 0), Vec2(2, 2), Vec2(3, 0),
+                           Vec2(4, 0), Vec2(4, 3), Vec2(0, 3)};
+    const SplitPolygon tips = split_polygon(notch, 1, 2.0);
+    CHECK(tips.low.size() == 2);
+    REQUIRE(tips.high.size() == 1);
+    CHECK(tips.high[0].size() == 5);
+    // The same upside down, and turned so that the line is x = 2.
+    Polygon above, aside;
+    for (const Vec2& p : notch) above.emplace_back(-p.x(), 4.0 - p.y());
+    for (const Vec2& p : notch) aside.emplace_back(4.0 - p.y(), p.x());
+    CHECK(split_polygon(above, 1, 2.0).high.size() == 2);
+    CHECK(split_polygon(above, 1, 2.0).low.size() == 1);
+    CHECK(split_polygon(aside, 0, 2.0).high.size() == 2);
+    CHECK(split_polygon(aside, 0, 2.0).low.size() == 1);
+  }
+
   TEST_CASE("triangles of a hollow polygon") {
     const Polygon p = notched();
     double area = 0.0;

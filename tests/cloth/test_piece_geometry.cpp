@@ -4,7 +4,9 @@
 #include <rapidcheck.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <string>
@@ -264,7 +266,11 @@ TEST_SUITE("property") {
         for (const Vec2& shift : kShifts) {
           CAPTURE(shape.name);
           CAPTURE(spacing);
-          CHECK(broken_rule(cut(shape.outline, spacing, shift)) == "");
+          const ClothModel m = cut(shape.outline, spacing, shift);
+          CHECK(broken_rule(m) == "");
+          // All but the corners lie on a yarn and hang on two of its slots.
+          const auto hangs_on_four = [](const MaterialPoint& p) { return p.weights[2] != 0.0; };
+          CHECK(std::count_if(m.border.begin(), m.border.end(), hangs_on_four) <= std::ssize(m.outline));
         }
       }
     }
@@ -272,22 +278,24 @@ TEST_SUITE("property") {
 
   TEST_CASE("random polygons keep every rule") {
     int built = 0, refused = 0;
-    CHECK(rc::check("rules", [&] {
-      const double spacing = 0.001 * *rc::gen::inRange(3, 15);
-      const Vec2 shift(*rc::gen::element(0.0, 0.0, 0.25, 0.5, 0.731),
-                       *rc::gen::element(0.0, 0.0, 0.5, 0.119));
-      const Polygon outline = *rc::gen::element(0, 1) == 0 ? random_star(spacing) : random_comb(spacing);
-      ClothModel model;
-      try {
-        model = cut(outline, spacing, shift);
-      } catch (const Error&) {  // too coarse, or rounded onto itself
-        ++refused;
-        return;
+    CHECK(rc::check("rules for twenty pieces at a time", [&] {
+      for (int piece = 0; piece < 20; ++piece) {
+        const double spacing = 0.001 * *rc::gen::inRange(3, 15);
+        const Vec2 shift(*rc::gen::element(0.0, 0.0, 0.25, 0.5, 0.731),
+                         *rc::gen::element(0.0, 0.0, 0.5, 0.119));
+        const Polygon outline = *rc::gen::element(0, 1) == 0 ? random_star(spacing) : random_comb(spacing);
+        ClothModel model;
+        try {
+          model = cut(outline, spacing, shift);
+        } catch (const Error&) {  // too coarse, or rounded onto itself
+          ++refused;
+          continue;
+        }
+        ++built;
+        const std::string broken = broken_rule(model);
+        RC_LOG() << broken << " spacing " << spacing;
+        RC_ASSERT(broken == "");
       }
-      ++built;
-      const std::string broken = broken_rule(model);
-      RC_LOG() << broken << " spacing " << spacing;
-      RC_ASSERT(broken == "");
     }));
     CHECK(built > refused);
   }

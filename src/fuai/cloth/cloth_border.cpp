@@ -45,17 +45,34 @@ std::vector<Crossing> crossings_of_side(const Vec2& a, const Vec2& b) {
   return crossings;
 }
 
+/// The low slot of the edge of the crossing's yarn that holds the point, or of the next edge either way; -1
+/// when none of them has cloth, as in a tip narrower than a yarn.
+int edge_of_crossing(const ClothModel& model, const Crossing& crossing, const Vec2& point) {
+  const int axis = 1 - crossing.axis;  // along the yarn
+  const std::vector<double>& edge_area = axis == 0 ? model.weft_edge_area : model.warp_edge_area;
+  const int line = static_cast<int>(crossing.line), here = static_cast<int>(std::floor(point[axis]));
+  const int edges = (axis == 0 ? model.columns : model.rows) - 1;
+  for (int edge : {here, here - 1, here + 1}) {
+    if (edge < 0 || edge >= edges) continue;
+    const int slot = axis == 0 ? model.slot(edge, line) : model.slot(line, edge);
+    if (edge_area[static_cast<std::size_t>(slot)] > 0.0) return slot;
+  }
+  return -1;
+}
+
 }  // namespace
 
 std::vector<MaterialPoint> make_border(const Polygon& outline, const ClothModel& model) {
   std::vector<MaterialPoint> border;
-  const auto add = [&](const Vec2& point) {
-    border.push_back(make_cell_point(model, nearest_cell(model, point), point));
-  };
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
-    add(a);
-    for (const Crossing& crossing : crossings_of_side(a, b)) add(place(crossing, a, b));
+    border.push_back(make_cell_point(model, nearest_cell(model, a), a));
+    for (const Crossing& crossing : crossings_of_side(a, b)) {
+      // On a lattice line the other two corners of whatever cell have no weight.
+      const Vec2 point = place(crossing, a, b);
+      const int edge = edge_of_crossing(model, crossing, point);
+      border.push_back(make_cell_point(model, edge >= 0 ? edge : nearest_cell(model, point), point));
+    }
   }
   return border;
 }

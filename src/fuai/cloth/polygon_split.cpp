@@ -11,15 +11,41 @@ namespace {
 
 /// A run of corners on one side of the line, with the crossing that leads into it.
 struct Chain {
-  bool high = false;  ///< side of the line; a corner on the line counts as low
+  bool high = false;
   Vec2 crossing = Vec2::Zero();
   Polygon corners;
   std::size_t partner = 0;  ///< the chain whose crossing is the other end of the cut
 };
 
+/// Which side each corner belongs to. Corners on the line go where the cut leaves simple polygons on both
+/// sides: those of an edge along the line to the side on which the cloth lies (left of the edge), one that
+/// only touches the line to the other side than its neighbours.
+/// @param first a corner that is not on the line
+std::vector<bool> sides_of_corners(const Polygon& polygon, int axis, double at, std::size_t first) {
+  const std::size_t n = polygon.size();
+  std::vector<bool> high(n);
+  for (std::size_t k = 0; k < n;) {
+    const std::size_t begin = (first + k) % n;
+    if (polygon[begin][axis] != at) {
+      high[begin] = polygon[begin][axis] > at;
+      ++k;
+      continue;
+    }
+    std::size_t count = 1;
+    while (polygon[(begin + count) % n][axis] == at) ++count;
+    const Vec2 way = polygon[(begin + count - 1) % n] - polygon[begin];
+    bool side = !high[(begin + n - 1) % n] && !(polygon[(begin + 1) % n][axis] > at);
+    if (count > 1) side = axis == 1 ? way.x() > 0.0 : way.y() < 0.0;
+    for (std::size_t i = 0; i < count; ++i) high[(begin + i) % n] = side;
+    k += count;
+  }
+  return high;
+}
+
 /// Where an edge from its low to its high end meets the line x = at (axis 0) or y = at (axis 1): exactly in
-/// the low end when that lies on the line.
+/// an end that lies on the line.
 Vec2 crossing_of(const Vec2& low, const Vec2& high, int axis, double at) {
+  if (high[axis] == at) return high;
   const int along = 1 - axis;
   const double share = (at - low[axis]) / (high[axis] - low[axis]);
   Vec2 crossing;
@@ -28,21 +54,23 @@ Vec2 crossing_of(const Vec2& low, const Vec2& high, int axis, double at) {
   return crossing;
 }
 
-/// The polygon as chains in its order; at least two.
+/// The polygon, which has corners on both sides, as chains in its order.
 std::vector<Chain> make_chains(const Polygon& polygon, int axis, double at) {
-  const auto is_high = [&](const Vec2& p) { return p[axis] > at; };
   const std::size_t n = polygon.size();
-  std::size_t first = 0;  // a corner that begins a chain
-  while (is_high(polygon[first]) == is_high(polygon[(first + n - 1) % n])) ++first;
+  std::size_t first = 0;
+  while (polygon[first][axis] == at) ++first;
+  const std::vector<bool> high = sides_of_corners(polygon, axis, at, first);
+  first = 0;  // a corner that begins a chain
+  while (high[first] == high[(first + n - 1) % n]) ++first;
   std::vector<Chain> chains;
   for (std::size_t k = 0; k < n; ++k) {
-    const Vec2 &before = polygon[(first + k + n - 1) % n], &here = polygon[(first + k) % n];
-    if (is_high(here) != is_high(before)) {
-      chains.emplace_back().high = is_high(here);
-      chains.back().crossing =
-          is_high(here) ? crossing_of(before, here, axis, at) : crossing_of(here, before, axis, at);
+    const std::size_t here = (first + k) % n, before = (here + n - 1) % n;
+    if (high[here] != high[before]) {
+      const Vec2 &low_end = polygon[high[here] ? before : here],
+                 &high_end = polygon[high[here] ? here : before];
+      chains.push_back({high[here], crossing_of(low_end, high_end, axis, at), {}, 0});
     }
-    chains.back().corners.push_back(here);
+    chains.back().corners.push_back(polygon[here]);
   }
   return chains;
 }
@@ -80,10 +108,11 @@ void keep_loop(std::vector<Polygon>& loops, Polygon loop, int axis, double at) {
 
 SplitPolygon split_polygon(const Polygon& polygon, int axis, double at) {
   SplitPolygon split;
-  const auto high =
-      std::count_if(polygon.begin(), polygon.end(), [&](const Vec2& p) { return p[axis] > at; });
-  if (high == 0 || high == static_cast<std::ptrdiff_t>(polygon.size())) {
-    (high == 0 ? split.low : split.high).push_back(polygon);
+  const auto is_low = [&](const Vec2& p) { return p[axis] < at; };
+  const auto is_high = [&](const Vec2& p) { return p[axis] > at; };
+  const bool any_high = std::any_of(polygon.begin(), polygon.end(), is_high);
+  if (!any_high || std::none_of(polygon.begin(), polygon.end(), is_low)) {
+    (any_high ? split.high : split.low).push_back(polygon);
     return split;
   }
   std::vector<Chain> chains = make_chains(polygon, axis, at);

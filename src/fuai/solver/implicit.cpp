@@ -22,6 +22,18 @@ T part(const Vec3& v, int i) {
   return static_cast<T>(v[i]);
 }
 
+template <class T>
+Vec3 vector_at(const Field3<T>& field, std::ptrdiff_t p) {
+  return {static_cast<double>(field.x[p]), static_cast<double>(field.y[p]), static_cast<double>(field.z[p])};
+}
+
+template <class T>
+void put(const Field3<T>& field, std::ptrdiff_t p, const Vec3& value) {
+  field.x[p] = part<T>(value, 0);
+  field.y[p] = part<T>(value, 1);
+  field.z[p] = part<T>(value, 2);
+}
+
 void check_options(const ImplicitOptions& o) {
   if (o.iterations < 1 || o.linearisations < 1 || !(o.relinearise > 0.0) || !(o.tolerance >= 0.0)) {
     throw Error(ErrorKind::kUsage,
@@ -36,13 +48,15 @@ void check_options(const ImplicitOptions& o) {
 
 template <class T>
 SolverImplicit<T>::SolverImplicit(const ClothModel& model, const ClothMaterial& material,
-                                  const ImplicitOptions& options, std::size_t attachments)
+                                  const ImplicitOptions& options, const AttachmentRoom& room)
     : kernels_(&implicit_kernels<T>()),
       storage_(std::make_unique<ImplicitStorage<T>>(model, material)),
       grid_(storage_->grid()),
       constants_(storage_->constants()),
       options_(options),
-      attachments_(attachments),
+      attachments_(room.attachments),
+      groups_(room.groups),
+      holds_(room.groups),
       columns_(model.columns) {
   check_options(options);
   scratch_.assign(static_cast<std::size_t>(kernels_->scratch_size(grid_)), T(0));
@@ -77,16 +91,33 @@ void SolverImplicit<T>::begin_step(double dt) noexcept {
   }
 }
 
+// The springs of a group weaken together when their sum would exceed what the hold can bear.
 template <class T>
 void SolverImplicit<T>::add_attachments(bool linearise) noexcept {
-  for (std::size_t i = 0; i < attached_; ++i) {
-    const Attachment& a = attachments_[i];
-    const std::ptrdiff_t p = grid_.at(a.slot / columns_) + a.slot % columns_;
-    const T k = static_cast<T>(a.stiffness) * grid_.mobile[p];
-    grid_.force.x[p] += k * (part<T>(a.target, 0) - grid_.x.x[p]);
-    grid_.force.y[p] += k * (part<T>(a.target, 1) - grid_.x.y[p]);
-    grid_.force.z[p] += k * (part<T>(a.target, 2) - grid_.x.z[p]);
-    if (linearise) grid_.ground[p] += k;
+  std::size_t first = 0;
+  for (std::size_t g = 0; g < group_count_; first += groups_[g].count, ++g) {
+    const AttachmentGroup& group = groups_[g];
+    const std::span<const Attachment> springs(attachments_.data() + first, group.count);
+    HoldForce hold;
+    for (const Attachment& a : springs) {
+      const Vec3 x = position(a.slot), force = a.stiffness * (a.target - x);
+      hold.force += force;
+      hold.moment += (x - group.origin).cross(force);
+    }
+    const double size = hold.force.norm();
+    hold.share = size > group.most_force ? group.most_force / size : 1.0;
+    hold.force *= hold.share;
+    hold.moment *= hold.share;
+    holds_[g] = hold;
+    for (const Attachment& a : springs) {
+      const std::ptrdiff_t p = at(a.slot);
+      const double k = hold.share * a.stiffness * static_cast<double>(grid_.mobile[p]);
+      const Vec3 force = k * (a.target - position(a.slot));
+      grid_.force.x[p] += part<T>(force, 0);
+      grid_.force.y[p] += part<T>(force, 1);
+      grid_.force.z[p] += part<T>(force, 2);
+      if (linearise) grid_.ground[p] += static_cast<T>(k);
+    }
   }
 }
 
@@ -221,55 +252,44 @@ StepReport SolverImplicit<T>::step(double dt) noexcept {
 
 template <class T>
 void SolverImplicit<T>::place(int slot, const Vec3& position) noexcept {
-  const std::ptrdiff_t p = grid_.at(slot / columns_) + slot % columns_;
+  const std::ptrdiff_t p = at(slot);
   grid_.x.x[p] = part<T>(position, 0);
   grid_.x.y[p] = part<T>(position, 1);
   grid_.x.z[p] = part<T>(position, 2);
 }
 
 template <class T>
-void SolverImplicit<T>::attach(std::span<const Attachment> attachments) noexcept {
-  attached_ = std::min(attachments.size(), attachments_.size());
-  std::copy_n(attachments.begin(), attached_, attachments_.begin());
+void SolverImplicit<T>::attach(std::span<const Attachment> attachments,
+                               std::span<const AttachmentGroup> groups) noexcept {
+  group_count_ = 0;
+  std::size_t used = 0;
+  for (const AttachmentGroup& group : groups) {
+    if (group_count_ == groups_.size() || used + group.count > attachments_.size() ||
+        used + group.count > attachments.size())
+      break;
+    std::copy_n(attachments.begin() + static_cast<std::ptrdiff_t>(used), group.count,
+                attachments_.begin() + static_cast<std::ptrdiff_t>(used));
+    used += group.count;
+    holds_[group_count_] = {};
+    groups_[group_count_++] = group;
+  }
 }
-
-namespace {
-
-template <class T>
-Vec3 vector_at(const Field3<T>& field, std::ptrdiff_t p) {
-  return {static_cast<double>(field.x[p]), static_cast<double>(field.y[p]), static_cast<double>(field.z[p])};
-}
-
-template <class T>
-void put(const Field3<T>& field, std::ptrdiff_t p, const Vec3& value) {
-  field.x[p] = part<T>(value, 0);
-  field.y[p] = part<T>(value, 1);
-  field.z[p] = part<T>(value, 2);
-}
-
-}  // namespace
 
 template <class T>
 Vec3 SolverImplicit<T>::position(int slot) const noexcept {
-  return vector_at(grid_.x, grid_.at(slot / columns_) + slot % columns_);
+  return vector_at(grid_.x, at(slot));
 }
 
 template <class T>
 Vec3 SolverImplicit<T>::velocity(int slot) const noexcept {
-  return vector_at(grid_.v, grid_.at(slot / columns_) + slot % columns_);
+  return vector_at(grid_.v, at(slot));
 }
 
 template <class T>
 Vec3 SolverImplicit<T>::force_on_fixed(int slot) const noexcept {
-  const std::ptrdiff_t p = grid_.at(slot / columns_) + slot % columns_;
+  const std::ptrdiff_t p = at(slot);
   const double mass = static_cast<double>(grid_.node_area[p]) * static_cast<double>(constants_.areal_mass);
   return vector_at(grid_.force, p) + mass * options_.gravity;
-}
-
-template <class T>
-Vec3 SolverImplicit<T>::force_of_attachment(std::size_t index) const noexcept {
-  const Attachment& a = attachments_[index];
-  return a.stiffness * (a.target - position(a.slot));
 }
 
 template <class T>

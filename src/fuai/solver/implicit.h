@@ -46,6 +46,25 @@ struct Attachment {
   Vec3 target = Vec3::Zero();  ///< [m]
 };
 
+/// Memory to be set aside for attachments.
+struct AttachmentRoom {
+  std::size_t attachments = 0, groups = 0;
+};
+
+/// Consecutive attachments that share a hold: their forces together never exceed `most_force`.
+struct AttachmentGroup {
+  std::size_t count = 0;       ///< attachments that belong to it
+  double most_force = 0.0;     ///< [N]; beyond it the springs weaken together
+  Vec3 origin = Vec3::Zero();  ///< point that the moment is taken about [m]
+};
+
+/// What a group put on the cloth in the last step.
+struct HoldForce {
+  Vec3 force = Vec3::Zero();   ///< [N]
+  Vec3 moment = Vec3::Zero();  ///< about the group's origin [N m]
+  double share = 1.0;          ///< of the spring stiffness that was left after saturation
+};
+
 /// What a step did.
 struct StepReport {
   enum Status : std::uint32_t {
@@ -65,10 +84,10 @@ struct StepReport {
 template <class T>
 class SolverImplicit {
  public:
-  /// Allocates everything a step needs. @param attachments most attachments at a time
+  /// Allocates everything a step needs. @param room most attachments and groups at a time
   /// @throws Error (kUsage) for options out of range. Thread class: set-up.
   SolverImplicit(const ClothModel& model, const ClothMaterial& material, const ImplicitOptions& options,
-                 std::size_t attachments = 0);
+                 const AttachmentRoom& room = {});
   /// Takes over a state. Thread class: set-up.
   void restore(const ClothState& state);
   /// Copies the state out; restore() of it continues bit for bit. Thread class: set-up.
@@ -76,8 +95,8 @@ class SolverImplicit {
 
   /// Where a fixed slot is at the end of the next step. Thread class: real-time.
   void place(int slot, const Vec3& position) noexcept;
-  /// Springs of the next steps; those that do not fit are left out. Thread class: real-time.
-  void attach(std::span<const Attachment> attachments) noexcept;
+  /// Springs of the next steps, group after group; what does not fit is left out. Thread class: real-time.
+  void attach(std::span<const Attachment> attachments, std::span<const AttachmentGroup> groups) noexcept;
   /// One step. Thread class: real-time. @param dt [s], > 0
   StepReport step(double dt) noexcept;
 
@@ -86,8 +105,8 @@ class SolverImplicit {
   Vec3 velocity(int slot) const noexcept;
   /// Force of the cloth on a fixed slot after the last step, its weight included [N]: what the clamp carries.
   Vec3 force_on_fixed(int slot) const noexcept;
-  /// Force of an attachment on its node after the last step [N].
-  Vec3 force_of_attachment(std::size_t index) const noexcept;
+  /// What a group of attachments put on the cloth in the last step; the hand feels the opposite.
+  HoldForce hold_force(std::size_t group) const noexcept { return holds_[group]; }
   double time() const noexcept { return time_; }
   const ImplicitOptions& options() const noexcept { return options_; }
   void set_options(const ImplicitOptions& options) noexcept { options_ = options; }
@@ -96,6 +115,7 @@ class SolverImplicit {
   const char* target() const noexcept { return kernels_->target; }
 
  private:
+  std::ptrdiff_t at(int slot) const noexcept { return grid_.at(slot / columns_) + slot % columns_; }
   void begin_step(double dt) noexcept;
   void evaluate(Evaluation what) noexcept;
   void add_attachments(bool linearise) noexcept;
@@ -116,7 +136,9 @@ class SolverImplicit {
   ImplicitOptions options_;
   std::vector<T> scratch_;
   std::vector<Attachment> attachments_;
-  std::size_t attached_ = 0;
+  std::vector<AttachmentGroup> groups_;
+  std::vector<HoldForce> holds_;
+  std::size_t group_count_ = 0;
   int columns_ = 0;
   double time_ = 0.0;
 };

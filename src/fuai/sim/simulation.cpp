@@ -1,0 +1,153 @@
+// A piece of cloth in time.
+// SPDX-License-Identifier: Apache-2.0
+#include "fuai/sim/simulation.h"
+
+#include <algorithm>
+
+#include "fuai/core/error.h"
+#include "fuai/core/hash.h"
+
+namespace fuai {
+namespace {
+
+AttachmentRoom room_for(int grasps) {
+  if (grasps < 0 || grasps > 64) throw Error(ErrorKind::kUsage, "a simulation takes 0 to 64 grasps");
+  const auto count = static_cast<std::size_t>(grasps);
+  return {count * kMostPatchSlots, count};
+}
+
+}  // namespace
+
+template <class T>
+Simulation<T>::Simulation(const ClothModel& model, const ClothMaterial& material,
+                          const SimulationOptions& options)
+    : model_(std::make_unique<const ClothModel>(model)),
+      material_(std::make_unique<const ClothMaterial>(material)),
+      solver_(*model_, *material_, options.implicit, room_for(options.most_grasps)),
+      holds_(static_cast<std::size_t>(options.most_grasps)),
+      attachments_(room_for(options.most_grasps).attachments),
+      groups_(room_for(options.most_grasps).groups) {
+  for (int slot = 0; slot < model.slot_count(); ++slot)
+    if (model.fixed[static_cast<std::size_t>(slot)] != 0) fixed_slots_.push_back(slot);
+}
+
+template <class T>
+void Simulation<T>::restore(const ClothState& state) {
+  for (Hold& hold : holds_) hold.active = false;
+  solver_.restore(state);
+}
+
+template <class T>
+SimulationReading Simulation<T>::read() const {
+  ClothState state;
+  solver_.save(state);
+  SimulationReading reading;
+  reading.energy = cloth_free_energy(*model_, *material_, state, solver_.options().gravity);
+  reading.kinetic_energy = cloth_kinetic_energy(*model_, state);
+  reading.max_strain = max_edge_strain(*model_, state);
+  for (const Vec3& v : state.velocities) reading.max_speed = std::max(reading.max_speed, v.norm());
+  reading.state_hash = state_hash(state);
+  return reading;
+}
+
+template <class T>
+int Simulation<T>::grasp(const GraspSpec& spec, const Vec3& hand) noexcept {
+  for (std::size_t i = 0; i < holds_.size(); ++i) {
+    Hold& hold = holds_[i];
+    if (hold.active) continue;
+    hold.active = hold.grasp.take(*model_, spec, hand, [this](int slot) { return solver_.position(slot); });
+    hold.stepped = false;
+    return hold.active ? static_cast<int>(i) : -1;
+  }
+  return -1;
+}
+
+template <class T>
+void Simulation<T>::move_grasp(int hold, const Vec3& hand, const Mat3& rotation) noexcept {
+  if (hold < 0 || hold >= static_cast<int>(holds_.size()) || !hand.allFinite() || !rotation.allFinite())
+    return;
+  holds_[static_cast<std::size_t>(hold)].grasp.move(hand, rotation);
+}
+
+template <class T>
+void Simulation<T>::release(int hold) noexcept {
+  if (hold >= 0 && hold < static_cast<int>(holds_.size()))
+    holds_[static_cast<std::size_t>(hold)].active = false;
+}
+
+template <class T>
+GraspReading Simulation<T>::grasp_reading(int hold) const noexcept {
+  GraspReading reading;
+  if (hold < 0 || hold >= static_cast<int>(holds_.size())) return reading;
+  const Hold& h = holds_[static_cast<std::size_t>(hold)];
+  reading.holds = h.active;
+  if (!h.active) return reading;
+  for (std::size_t i = 0; i < h.grasp.size(); ++i)
+    reading.centre += h.grasp.weight(i) * solver_.position(h.grasp.slot(i));
+  if (!h.stepped) return reading;
+  const HoldForce on_cloth = solver_.hold_force(h.group);
+  reading.force = -on_cloth.force;
+  reading.moment = -on_cloth.moment;
+  reading.saturated = on_cloth.share < 1.0;
+  return reading;
+}
+
+template <class T>
+void Simulation<T>::attach_holds() noexcept {
+  std::size_t springs = 0, groups = 0;
+  for (Hold& hold : holds_) {
+    if (!hold.active) continue;
+    hold.grasp.follow([this](int slot) { return solver_.position(slot); });
+    const GraspSpec& spec = hold.grasp.spec();
+    for (std::size_t i = 0; i < hold.grasp.size(); ++i)
+      attachments_[springs++] = {hold.grasp.slot(i), spec.stiffness * hold.grasp.weight(i),
+                                 hold.grasp.target(i)};
+    hold.group = groups;
+    hold.stepped = true;
+    groups_[groups++] = {hold.grasp.size(), spec.most_force, hold.grasp.centre()};
+  }
+  solver_.attach({attachments_.data(), springs}, {groups_.data(), groups});
+}
+
+template <class T>
+StepReport Simulation<T>::step(double dt) noexcept {
+  attach_holds();
+  return solver_.step(dt);
+}
+
+template <class T>
+Vec3 Simulation<T>::clamp_force() const noexcept {
+  Vec3 sum = Vec3::Zero();
+  for (int slot : fixed_slots_) sum += solver_.force_on_fixed(slot);
+  return sum;
+}
+
+std::uint64_t state_hash(const ClothState& state) noexcept {
+  StateHash hash;
+  for (const auto* field : {&state.positions, &state.velocities})
+    for (const Vec3& v : *field) hash.add(v.data(), 3 * sizeof(double));
+  for (const auto* memory :
+       {&state.weft_bending, &state.warp_bending, &state.shear, &state.weft_tension, &state.warp_tension})
+    for (const PlayState& play : *memory) hash.add(std::span<const double>(play.position));
+  return hash.value();
+}
+
+double max_edge_strain(const ClothModel& model, const ClothState& state) noexcept {
+  double largest = 0.0;
+  const auto edge = [&](const std::vector<double>& areas, std::size_t slot, std::size_t next) {
+    if (!(areas[slot] > 0.0)) return;
+    const double strain = (state.positions[next] - state.positions[slot]).norm() / model.spacing - 1.0;
+    largest = std::max(largest, strain);
+  };
+  const auto up = static_cast<std::size_t>(model.columns);
+  for (std::size_t slot = 0; slot < state.positions.size(); ++slot) {
+    edge(model.weft_edge_area, slot, slot + 1);
+    edge(model.warp_edge_area, slot, slot + up);
+  }
+  return largest;
+}
+
+template class Simulation<float>;
+template class Simulation<double>;
+
+}  // namespace fuai
