@@ -145,15 +145,16 @@ Contender relaxation_contender(int side) {
 Contender bullet_contender(int side, BulletLinks links) {
   const auto cloth = std::make_shared<BulletCloth>(BulletClothOptions{side, kSpacing, kArealMass, 1, links});
   Contender c;
-  c.name = links == BulletLinks::kYarns           ? "Bullet, 1 iteration"
-           : links == BulletLinks::kYarnsShuffled ? "Bullet, 1 iteration, links shuffled"
-                                                  : "Bullet, 1 iteration, patch of its demos";
+  const bool demo = links == BulletLinks::kDemo || links == BulletLinks::kDemoShuffled;
+  const bool shuffled = links == BulletLinks::kYarnsShuffled || links == BulletLinks::kDemoShuffled;
+  c.name = std::string("Bullet, 1 iteration") + (demo ? ", patch of its demos" : "") +
+           (shuffled ? ", shuffled" : "");
   c.side = side;
   c.bytes = static_cast<double>(cloth->bytes());
-  c.yardstick = links != BulletLinks::kDemo;
+  c.yardstick = !demo;
   c.run = [cloth] { cloth->step(kTick); };
   c.hash = [cloth] { return cloth->position_hash(); };
-  c.extra = [links] { return std::string(links == BulletLinks::kDemo ? "12" : "6") + " links a node"; };
+  c.extra = [demo] { return std::string(demo ? "12" : "6") + " links a node"; };
   return c;
 }
 #endif
@@ -208,7 +209,10 @@ std::vector<Contender> contenders_at(int side) {
 #ifdef FUAI_BENCH_BULLET
   c.push_back(bullet_contender(side, BulletLinks::kYarns));
   c.push_back(bullet_contender(side, BulletLinks::kYarnsShuffled));
-  if (side <= 64) c.push_back(bullet_contender(side, BulletLinks::kDemo));
+  if (side <= 64) {
+    c.push_back(bullet_contender(side, BulletLinks::kDemo));
+    c.push_back(bullet_contender(side, BulletLinks::kDemoShuffled));
+  }
 #endif
   if (side == 64) {
     c.push_back(

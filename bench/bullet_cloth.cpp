@@ -72,13 +72,15 @@ BulletCloth::BulletCloth(const BulletClothOptions& options) : world_(std::make_u
   const btVector3 gravity(0, 0, static_cast<btScalar>(-fuai::kStandardGravity));
   world_->world.setGravity(gravity);
   world_->world.getWorldInfo().m_gravity = gravity;
-  world_->body.reset(options.links == BulletLinks::kDemo ? demo_patch(options, world_->world.getWorldInfo())
-                                                         : yarn_patch(options, world_->world.getWorldInfo()));
+  const bool demo = options.links == BulletLinks::kDemo || options.links == BulletLinks::kDemoShuffled;
+  world_->body.reset(demo ? demo_patch(options, world_->world.getWorldInfo())
+                          : yarn_patch(options, world_->world.getWorldInfo()));
   btSoftBody& body = *world_->body;
   body.m_materials[0]->m_kLST = 1;
   body.m_cfg.piterations = options.iterations;
   body.m_cfg.collisions = 0;
-  if (options.links == BulletLinks::kYarnsShuffled) body.randomizeConstraints();
+  if (options.links == BulletLinks::kYarnsShuffled || options.links == BulletLinks::kDemoShuffled)
+    body.randomizeConstraints();
   for (int i = 0; i < n * n; ++i)
     body.setMass(i, static_cast<btScalar>(options.areal_mass * options.spacing * options.spacing));
   for (int corner : {(n - 1) * n, n * n - 1}) body.setMass(corner, 0);

@@ -14,6 +14,7 @@ enum class BulletLinks {
   kYarnsShuffled,  ///< the same in random order, which Bullet offers for evenness
   kDemo,           ///< as in Bullet's cloth demos: CreatePatch with diagonals and faces, and bending links
                    ///< between all nodes two links apart, 12 a node; memory goes with the nodes squared
+  kDemoShuffled,
 };
 
 /// What the patch is made of. Bullet has no stiffness in units: its links are at their stiffest (kLST 1).
