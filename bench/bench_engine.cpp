@@ -65,7 +65,7 @@ int run(int count, char** arguments) {
   if (file.empty()) return 0;
   std::ofstream out(file);
   out << "# Measured figures of the cloth engine\n\nWritten by `bench_engine --markdown` "
-      << (quick ? "(`--quick`)" : "") << "; do not edit.\n"
+      << (quick ? "(`--quick`)" : "") << "; do not edit.\n\n"
       << report.markdown();
   if (!out.flush()) {
     std::fprintf(stderr, "bench_engine: cannot write %s\n", file.c_str());

@@ -15,7 +15,7 @@ void Report::put(const std::string& text) {
   std::fflush(stdout);
 }
 
-void Report::heading(const std::string& title) { put("\n## " + title + "\n\n"); }
+void Report::heading(const std::string& title) { put("## " + title + "\n\n"); }
 
 void Report::paragraph(const std::string& text) { put(text + "\n\n"); }
 

@@ -67,20 +67,20 @@ btSoftBody* demo_patch(const BulletClothOptions& options, btSoftBodyWorldInfo& i
 
 }  // namespace
 
-BulletCloth::BulletCloth(const BulletClothOptions& options) : world_(std::make_unique<World>()) {
+BulletCloth::BulletCloth(const BulletClothOptions& options)
+    : world_(std::make_unique<World>()), reach_(10.0 * options.side * options.spacing) {
   const int n = options.side;
   const btVector3 gravity(0, 0, static_cast<btScalar>(-fuai::kStandardGravity));
   world_->world.setGravity(gravity);
   world_->world.getWorldInfo().m_gravity = gravity;
-  const bool demo = options.links == BulletLinks::kDemo || options.links == BulletLinks::kDemoShuffled;
+  const bool demo = options.links != BulletLinks::kYarns;
   world_->body.reset(demo ? demo_patch(options, world_->world.getWorldInfo())
                           : yarn_patch(options, world_->world.getWorldInfo()));
   btSoftBody& body = *world_->body;
   body.m_materials[0]->m_kLST = 1;
   body.m_cfg.piterations = options.iterations;
   body.m_cfg.collisions = 0;
-  if (options.links == BulletLinks::kYarnsShuffled || options.links == BulletLinks::kDemoShuffled)
-    body.randomizeConstraints();
+  if (options.links != BulletLinks::kDemo) body.randomizeConstraints();
   for (int i = 0; i < n * n; ++i)
     body.setMass(i, static_cast<btScalar>(options.areal_mass * options.spacing * options.spacing));
   for (int corner : {(n - 1) * n, n * n - 1}) body.setMass(corner, 0);
@@ -99,6 +99,14 @@ std::string BulletCloth::position_hash() const {
     for (int k = 0; k < 3; ++k) hash.add(static_cast<double>(body.m_nodes[i].m_x[k]));
   }
   return hash.hex();
+}
+
+bool BulletCloth::is_whole() const {
+  const btSoftBody& body = *world_->body;
+  for (int i = 0; i < body.m_nodes.size(); ++i) {
+    if (!(static_cast<double>(body.m_nodes[i].m_x.length()) < reach_)) return false;
+  }
+  return true;
 }
 
 std::size_t BulletCloth::bytes() const {
