@@ -57,7 +57,7 @@ int run(int count, char** arguments) {
     }
   }
   Report report;
-  const MachineLimits limits = measure_machine(quick ? 5 : 20);
+  const MachineLimits limits = measure_machine(quick ? 40 : 200);
   report_machine(report, limits);
   report_speed(report, quick);
   report_kernels(report, limits, quick);
