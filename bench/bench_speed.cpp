@@ -190,17 +190,18 @@ std::vector<double> turn_times(const Contender& c) {
   return times;
 }
 
-/// Time over that of the contender with this yardstick; "-" without one.
-std::string ratio(const std::vector<Contender>& contenders, const Contender& c, int yardstick) {
+/// Time over that of the contender with this yardstick; 0 without one.
+double ratio(const std::vector<Contender>& contenders, const Contender& c, int yardstick) {
   for (const Contender& other : contenders) {
     if (other.yardstick != yardstick) continue;
     std::vector<double> ratios = turn_times(c);
     const std::vector<double> measure = turn_times(other);
     for (std::size_t i = 0; i < ratios.size(); ++i) ratios[i] /= measure[i];
-    return fixed_text(spread(ratios).median, 2);
+    return spread(ratios).median;
   }
-  return "-";
+  return 0.0;
 }
+std::string ratio_text(double value) { return value > 0.0 ? fixed_text(value, 2) : "-"; }
 
 void print_race(Report& report, const std::vector<Contender>& contenders) {
   std::vector<Row> rows;
@@ -208,8 +209,9 @@ void print_race(Report& report, const std::vector<Contender>& contenders) {
     const Spread s = spread(c.microseconds);
     const double nodes = static_cast<double>(c.side) * c.side;
     rows.push_back({c.name, short_text(s.median), short_text(s.p10) + " to " + short_text(s.p90),
-                    short_text(1e3 * s.median / nodes), ratio(contenders, c, 1), ratio(contenders, c, 2),
-                    c.bytes > 0.0 ? fixed_text(c.bytes / nodes, 0) : "-", c.extra(),
+                    short_text(1e3 * s.median / nodes), ratio_text(ratio(contenders, c, 1)),
+                    ratio_text(ratio(contenders, c, 2)), c.bytes > 0.0 ? fixed_text(c.bytes / nodes, 0) : "-",
+                    c.extra(),
                     c.hash() + " after " + fixed_text(static_cast<double>(c.calls) * c.ticks_a_call, 0)});
   }
   const int side = contenders.front().side;
@@ -240,6 +242,15 @@ std::vector<Contender> contenders_at(int side) {
   return c;
 }
 
+/// Time of a node at 200 x 200 over that at 64 x 64, measured in turns.
+std::string scale_ratio(int iterations, bool quick) {
+  std::vector<Contender> contenders;
+  for (int side : {64, 200}) contenders.push_back(implicit_contender(side, iterations, bench_material(), ""));
+  contenders[0].yardstick = 1;
+  race(contenders, quick ? 5 : 20);
+  return fixed_text(ratio(contenders, contenders[1], 1) * (64.0 * 64.0) / (200.0 * 200.0), 2);
+}
+
 }  // namespace
 
 void report_speed(Report& report, bool quick) {
@@ -254,21 +265,13 @@ void report_speed(Report& report, bool quick) {
 #ifndef FUAI_BENCH_BULLET
   report.paragraph("Bullet was not found when this was built (Debian: libbullet-dev): its rows are missing.");
 #endif
-  double at_64[2] = {}, at_200[2] = {};
   for (int side : {18, 32, 64, 100, 200}) {
     std::vector<Contender> contenders = contenders_at(side);
-    const int turns = (side < 100 ? 20 : side < 200 ? 8 : 4) / (quick ? 4 : 1);
-    race(contenders, turns);
+    race(contenders, (side < 100 ? 20 : side < 200 ? 8 : 4) / (quick ? 4 : 1));
     print_race(report, contenders);
-    for (std::size_t i = 0; i < 2; ++i) {
-      const double nanoseconds = 1e3 * spread(contenders[i].microseconds).median / (side * side);
-      if (side == 64) at_64[i] = nanoseconds;
-      if (side == 200) at_200[i] = nanoseconds;
-    }
   }
-  report.paragraph(
-      "Cost of a node at 200 x 200 over that at 64 x 64: " + fixed_text(at_200[0] / at_64[0], 2) +
-      " with 5 iterations, " + fixed_text(at_200[1] / at_64[1], 2) + " with 8.");
+  report.paragraph("Cost of a node at 200 x 200 over that at 64 x 64, in turns: " + scale_ratio(5, quick) +
+                   " with 5 iterations, " + scale_ratio(8, quick) + " with 8.");
 }
 
 }  // namespace fuai_bench
