@@ -2,13 +2,53 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuai/experiments/scene_pictures.h"
 
+#include <algorithm>
+#include <cstdio>
 #include <numbers>
 #include <utility>
+
+#include "fuai/cloth/piece_mesh.h"
 
 namespace fuai {
 namespace {
 
 constexpr double kRadPerDegree = std::numbers::pi / 180.0;
+
+/// Up to this many held nodes are shown as pegs; more are an edge or an area, which a rail or table shows.
+constexpr std::size_t kMostPegs = 8;
+/// The arrow of a force is this part of the scene's height long when it is strong, and less below a newton:
+/// length = part F / (F + kHalfForce).
+constexpr double kArrowPart = 0.5, kHalfForce = 0.2;  // [-], [N]
+
+void add_pegs(const EngineScene& scene, const ClothState& state, double size, ClothPicture& picture) {
+  std::vector<Vec3> held;
+  for (std::size_t slot = 0; slot < state.positions.size(); ++slot)
+    if (scene.model.fixed[slot] != 0) held.push_back(state.positions[slot]);
+  if (held.size() > kMostPegs) return;
+  for (const Vec3& x : held) {
+    CylinderItem peg;
+    peg.radius = 0.01 * size;
+    peg.height = 2.5 * peg.radius;
+    peg.top = x + 0.5 * peg.height * Vec3::UnitZ();
+    peg.colour = {0.35, 0.35, 0.38, 1.0};
+    picture.cylinders.push_back(peg);
+  }
+}
+
+void add_hands(std::span<const GraspReading> hands, double size, ClothPicture& picture) {
+  for (const GraspReading& hand : hands) {
+    const double force = hand.force.norm();
+    if (!hand.holds || !(force > 0.0)) continue;
+    ArrowItem arrow;
+    arrow.origin = hand.centre;
+    arrow.vector = hand.force / force * (kArrowPart * size * force / (force + kHalfForce));
+    arrow.radius = 0.006 * size;
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g mN", 1e3 * force);
+    arrow.label = text;
+    picture.arrows.push_back(arrow);
+  }
+}
 
 }  // namespace
 
@@ -56,6 +96,35 @@ ClothPicture scene_picture(std::string_view scene, SurfaceMesh mesh, const std::
                            double aspect) {
   if (scene == "paper_drape") return paper_drape_picture(std::move(mesh), caption, aspect);
   return paper_bending_picture(std::move(mesh), {}, caption, aspect);
+}
+
+ClothPicture engine_scene_picture(const EngineScene& scene, const ClothState& state,
+                                  std::span<const GraspReading> hands, const std::string& caption,
+                                  double aspect) {
+  ClothPicture picture;
+  Bounds bounds;
+  bounds.include(scene.view.low);
+  bounds.include(scene.view.high);
+  const double size = (bounds.high - bounds.low).maxCoeff();
+  double lowest = bounds.low.z();
+  for (const SceneBlock& block : scene.view.blocks) {
+    BoxItem box;
+    box.low = block.low;
+    box.high = block.high;
+    picture.boxes.push_back(box);
+    lowest = std::min(lowest, block.low.z());
+  }
+  for (const Vec3& x : state.positions) lowest = std::min(lowest, x.z() - 0.02 * size);
+  picture.ground.height = lowest;
+  add_pegs(scene, state, size, picture);
+  add_hands(hands, size, picture);
+  picture.camera = frame_camera(bounds, scene.view.azimuth, scene.view.elevation, aspect);
+  picture.caption = caption;
+  ClothItem cloth;
+  cloth.mesh = make_piece_mesh(scene.model, state.positions).mesh;
+  cloth.thread_spacing = scene.model.spacing;
+  picture.cloths.push_back(std::move(cloth));
+  return picture;
 }
 
 }  // namespace fuai
