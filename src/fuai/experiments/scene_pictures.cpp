@@ -3,6 +3,7 @@
 #include "fuai/experiments/scene_pictures.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <numbers>
 #include <utility>
@@ -16,9 +17,18 @@ constexpr double kRadPerDegree = std::numbers::pi / 180.0;
 
 /// Up to this many held nodes are shown as pegs; more are an edge or an area, which a rail or table shows.
 constexpr std::size_t kMostPegs = 8;
-/// The arrow of a force is this part of the scene's height long when it is strong, and less below a newton:
-/// length = part F / (F + kHalfForce).
-constexpr double kArrowPart = 0.5, kHalfForce = 0.2;  // [-], [N]
+/// Forces of cloth go from a millinewton to ten newtons: the length of an arrow grows with the logarithm,
+/// from nothing at the least force to this part of the scene at the most.
+constexpr double kArrowPart = 0.5, kLeastForce = 1e-4, kMostForce = 10.0;  // [-], [N], [N]
+
+std::string force_label(double force) {
+  char text[32];
+  if (force < 1.0)
+    std::snprintf(text, sizeof text, "%.3g mN", 1e3 * force);
+  else
+    std::snprintf(text, sizeof text, "%.3g N", force);
+  return text;
+}
 
 void add_pegs(const EngineScene& scene, const ClothState& state, double size, ClothPicture& picture) {
   std::vector<Vec3> held;
@@ -38,14 +48,13 @@ void add_pegs(const EngineScene& scene, const ClothState& state, double size, Cl
 void add_hands(std::span<const GraspReading> hands, double size, ClothPicture& picture) {
   for (const GraspReading& hand : hands) {
     const double force = hand.force.norm();
-    if (!hand.holds || !(force > 0.0)) continue;
+    const double share = std::log(force / kLeastForce) / std::log(kMostForce / kLeastForce);
+    if (!hand.holds || !(share > 0.0)) continue;
     ArrowItem arrow;
     arrow.origin = hand.centre;
-    arrow.vector = hand.force / force * (kArrowPart * size * force / (force + kHalfForce));
+    arrow.vector = hand.force / force * (kArrowPart * size * std::min(share, 1.0));
     arrow.radius = 0.006 * size;
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g mN", 1e3 * force);
-    arrow.label = text;
+    arrow.label = force_label(force);
     picture.arrows.push_back(arrow);
   }
 }

@@ -21,7 +21,7 @@ EngineScene make_hanging_sheet(const FabricLaws& laws, const SceneOptions& optio
 EngineScene make_hanging_strip(const FabricLaws& laws, const SceneOptions& options = {});
 
 /// 32 x 32 at 1 cm, top edge clamped with 5 % slack (in waves); a fingertip at the middle of the bottom edge
-/// goes 6 cm forward, 4 mm aside and 2 cm down and back, twice a second, with a tremor of 1 mm at 8 Hz. The
+/// goes 6 cm forward, 2 cm aside and 4 mm down and back, twice a second, with a tremor of 1 mm at 8 Hz. The
 /// pull scales with the sheet, the tremor does not.
 EngineScene make_taut_patch(const FabricLaws& laws, const SceneOptions& options = {});
 

@@ -41,10 +41,10 @@ EngineScene make_grasp_and_lift(const FabricLaws& laws, const SceneOptions& opti
   scene.motion =
       std::make_unique<LiftAndLetGo>(start_position(scene, hand.centre), kLift * side / kLiftOfSheet);
   scene.seconds = 4.0;
-  scene.view.azimuth = -35.0 * std::numbers::pi / 180.0;
-  scene.view.elevation = 18.0 * std::numbers::pi / 180.0;
-  scene.view.low = Vec3(0.0, 0.2 * side, -side);
-  scene.view.high = Vec3(side, side, 0.5 * side);
+  scene.view.azimuth = -105.0 * std::numbers::pi / 180.0;
+  scene.view.elevation = 20.0 * std::numbers::pi / 180.0;
+  scene.view.low = Vec3(0.0, 0.3 * side, -0.95 * side);
+  scene.view.high = Vec3(side, side, 0.35 * side);
   scene.view.blocks.push_back(
       {Vec3(-0.02, side - 0.25 * o.spacing, -0.012), Vec3(side + 0.02, side + 0.02, 0.012)});
   return scene;

@@ -12,7 +12,7 @@ namespace {
 constexpr double kPullRate = 2.0, kTremorRate = 8.0;  // [Hz]
 constexpr double kTremor = 0.001;                     // [m]
 constexpr double kPullOfSheet = 0.31;                 // the pull below is that of a sheet this wide [m]
-const Vec3 kPull(0.004, -0.06, -0.02);                // aside, forward, down [m]
+const Vec3 kPull(0.02, -0.06, -0.004);                // aside, forward, down [m]
 
 class PullAndTremble : public SceneMotion {
  public:
