@@ -59,6 +59,7 @@ inline fuai::ClothModel sheet_model(int columns, int rows, double h, double area
         model.warp_bend_area[s] = model.node_area[s];
     }
   }
+  model.twist_area = model.cell_area;
   return model;
 }
 

@@ -39,6 +39,9 @@ struct ClothModel {
   std::vector<std::uint8_t> fixed;  ///< 1: held by a clamp or pin; its position is prescribed
   std::vector<double> node_area;    ///< cloth that moves with the slot [m2]; sums to the area of the outline
   std::vector<double> cell_area;    ///< cloth inside the cell [m2]; the same sum
+  std::vector<double>
+      twist_area;  ///< the same for its twist, more where a clamp holds part of the cell: stiffness
+                   ///< is that of the cloth that is free, see docs/theory/cloth-pieces.md [m2]
   std::vector<double> weft_edge_area, warp_edge_area;  ///< cloth stretched with the edge [m2]; the same sums
   std::vector<double> weft_bend_area, warp_bend_area;  ///< cloth bent with the triple [m2]; 0: no triple
   std::vector<double> weft_bend_length,

@@ -68,28 +68,55 @@ void place_lattice(const ClothPieceSpec& spec, const Polygon& outline, ClothMode
   model.areal_mass = spec.areal_mass;
 }
 
-/// Areas of the kept cells; what lies in dropped ones goes to the kept cell nearest to its centroid, which
-/// for a sliver is the one it shares its longest side with.
-void fill_cells(const Polygon& outline, ClothModel& model) {
+/// Area and centroid of the cloth that each kept cell carries, lattice coordinates.
+struct CellCloth {
+  std::vector<double> area;
+  std::vector<Vec2> moment;  ///< area times centroid
+  void add(int cell, double part, const Vec2& centroid) {
+    area[at(cell)] += part;
+    moment[at(cell)] += part * centroid;
+  }
+};
+
+/// What lies in dropped cells goes to the kept cell nearest to its centroid, which for a sliver is the one it
+/// shares its longest side with.
+CellCloth fill_cells(const Polygon& outline, ClothModel& model) {
   const CutCells cells = make_cut_cells(outline, model.columns, model.rows);
-  std::vector<double>& share = model.cell_area;  // in cells until the end
-  share.assign(cells.full.begin(), cells.full.end());
-  for (const CutPiece& piece : cells.pieces) share[at(piece.cell)] += polygon_area(piece.polygon);
-  for (double& s : share) s = s < kLeastCellShare ? 0.0 : s;
-  std::vector<double> given(share.size(), 0.0);
+  CellCloth cloth{std::vector<double>(cells.full.size(), 0.0),
+                  std::vector<Vec2>(cells.full.size(), Vec2::Zero())};
+  for (int cell = 0; cell < model.slot_count(); ++cell) {
+    if (cells.full[at(cell)] != 0)
+      cloth.add(cell, 1.0, Vec2(cell % model.columns + 0.5, cell / model.columns + 0.5));
+  }
   for (const CutPiece& piece : cells.pieces) {
     const double area = polygon_area(piece.polygon);
-    if (share[at(piece.cell)] > 0.0 || !(area > 0.0)) continue;
+    if (area > 0.0) cloth.add(piece.cell, area, polygon_centroid(piece.polygon));
+  }
+  model.cell_area.assign(cloth.area.size(), 0.0);
+  std::vector<std::uint8_t> dropped(cloth.area.size(), 0);
+  for (std::size_t i = 0; i < cloth.area.size(); ++i) {
+    dropped[i] = cloth.area[i] < kLeastCellShare ? 1 : 0;
+    if (dropped[i] != 0) {
+      cloth.area[i] = 0.0;
+      cloth.moment[i] = Vec2::Zero();
+    }
+    model.cell_area[i] = cloth.area[i];
+  }
+  for (const CutPiece& piece : cells.pieces) {
+    const double area = polygon_area(piece.polygon);
+    if (dropped[at(piece.cell)] == 0 || !(area > 0.0)) continue;
     const int taker = nearest_cell(model, polygon_centroid(piece.polygon));
     if (taker < 0) refuse_coarse("no cell of the lattice has enough of the piece");
-    given[at(taker)] += area;
+    cloth.add(taker, area, polygon_centroid(piece.polygon));
   }
-  for (std::size_t i = 0; i < share.size(); ++i)
-    share[i] = (share[i] + given[i]) * model.spacing * model.spacing;
+  const double square = model.spacing * model.spacing;
+  for (std::size_t i = 0; i < cloth.area.size(); ++i) model.cell_area[i] = cloth.area[i] * square;
+  return cloth;
 }
 
-/// Every cell gives a quarter of its cloth to each corner and half to each pair of sides.
-void share_cells(ClothModel& model) {
+/// Every cell gives its cloth to its corners and sides so that the centre of mass stays where it is: a whole
+/// cell a quarter to each corner and half to each pair of sides, a cut one more to those that are nearer.
+void share_cells(const CellCloth& cloth, ClothModel& model) {
   const auto count = at(model.slot_count());
   for (auto* area : {&model.node_area, &model.weft_edge_area, &model.warp_edge_area})
     area->assign(count, 0.0);
@@ -101,12 +128,18 @@ void share_cells(ClothModel& model) {
       const int cell = model.slot(column, row);
       const double area = model.cell_area[at(cell)];
       if (!(area > 0.0)) continue;
-      for (int slot : {cell, cell + 1, cell + up, cell + up + 1}) {
-        model.live[at(slot)] = 1;
-        model.node_area[at(slot)] += 0.25 * area;
+      const Vec2 centroid = cloth.moment[at(cell)] / cloth.area[at(cell)] - Vec2(column, row);
+      const double right = std::clamp(centroid.x(), 0.0, 1.0), top = std::clamp(centroid.y(), 0.0, 1.0);
+      const double across[2] = {1.0 - right, right}, along[2] = {1.0 - top, top};
+      for (int j : {0, 1}) {
+        for (int i : {0, 1}) {
+          const int slot = cell + i + j * up;
+          model.live[at(slot)] = 1;
+          model.node_area[at(slot)] += across[i] * along[j] * area;
+        }
+        model.weft_edge_area[at(cell + j * up)] += along[j] * area;
+        model.warp_edge_area[at(cell + j)] += across[j] * area;
       }
-      for (int slot : {cell, cell + up}) model.weft_edge_area[at(slot)] += 0.5 * area;
-      for (int slot : {cell, cell + 1}) model.warp_edge_area[at(slot)] += 0.5 * area;
     }
   }
 }
@@ -178,14 +211,14 @@ ClothModel make_cloth_model(const ClothPieceSpec& spec) {
   place_lattice(spec, outline, model);
   const Polygon lattice_outline = to_lattice(outline, model.origin, model.spacing);
   for (const Vec2& p : lattice_outline) model.outline.push_back(model.origin + model.spacing * p);
-  fill_cells(lattice_outline, model);
-  share_cells(model);
+  share_cells(fill_cells(lattice_outline, model), model);
   check_connected(model);
   if (!fill_bending(lattice_outline, model))
     refuse_coarse("no yarn of the piece is long enough to bend both ways");
   fix_clamped_slots(spec, model);
   fix_pinned_slots(spec, model);
   cut_bending_at_clamps(spec.clamps, model);
+  fill_twist(spec.clamps, model);
   model.border = make_border(lattice_outline, model);
   return model;
 }

@@ -72,6 +72,22 @@ void fill_direction(const std::vector<LineEdge>& edges, ClothModel& model, const
   }
 }
 
+/// Share of a cell outside all sub-cell clamps, by 16 x 16 samples. @param low corner of the cell [m]
+double free_part(std::span<const Clamp> clamps, const ClothModel& model, const Vec2& low) {
+  constexpr int kSamples = 16;
+  int free = 0;
+  for (int j = 0; j < kSamples; ++j) {
+    for (int i = 0; i < kSamples; ++i) {
+      const Vec2 sample = low + model.spacing / kSamples * Vec2(i + 0.5, j + 0.5);
+      const bool held = std::any_of(clamps.begin(), clamps.end(), [&](const Clamp& clamp) {
+        return clamp.sub_cell && region_signed_distance(clamp.region, sample) < 0.0;
+      });
+      free += held ? 0 : 1;
+    }
+  }
+  return static_cast<double>(free) / (kSamples * kSamples);
+}
+
 /// Free part of the triple in a fixed slot, as a share of the spacing.
 double free_share(double exit_distance, double spacing) {
   const double s = exit_distance / spacing;
@@ -126,6 +142,19 @@ bool clamp_holds(const Clamp& clamp, const ClothModel& model, int slot) {
 void cut_bending_at_clamps(std::span<const Clamp> clamps, ClothModel& model) {
   cut_direction(clamps, model, weft_arrays(model));
   cut_direction(clamps, model, warp_arrays(model));
+}
+
+void fill_twist(std::span<const Clamp> clamps, ClothModel& model) {
+  model.twist_area = model.cell_area;
+  const int up = model.columns;
+  for (int cell = 0; cell < model.slot_count(); ++cell) {
+    if (!(model.cell_area[at(cell)] > 0.0)) continue;
+    int held = 0;
+    for (int slot : {cell, cell + 1, cell + up, cell + up + 1}) held += model.fixed[at(slot)];
+    if (held == 0 || held == 4) continue;
+    const double free = free_part(clamps, model, model.material(cell % up, cell / up));
+    model.twist_area[at(cell)] /= std::max(free, 1.0 / kMostClampFactor);
+  }
 }
 
 }  // namespace fuai

@@ -24,4 +24,8 @@ bool clamp_holds(const Clamp& clamp, const ClothModel& model, int slot);
 /// edge at distance s h from the slot, the part h (1/2 - s) of the triple is free. Thread class: set-up.
 void cut_bending_at_clamps(std::span<const Clamp> clamps, ClothModel& model);
 
+/// Twist areas: those of the cells, over the free share of cells that a sub-cell clamp holds in part.
+/// Thread class: set-up.
+void fill_twist(std::span<const Clamp> clamps, ClothModel& model);
+
 }  // namespace fuai

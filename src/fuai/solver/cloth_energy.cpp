@@ -123,7 +123,7 @@ void add_twist(Pass<State, Reader>& pass, std::size_t slot) noexcept {
   const ClothModel& m = pass.model;
   const Vec3 d = twist_vector(m, pass.x, slot);
   const double h2 = m.spacing * m.spacing;
-  const double stiffness = 4.0 * m.cell_area[slot] * pass.material.twist_stiffness / (h2 * h2);
+  const double stiffness = 4.0 * m.twist_area[slot] * pass.material.twist_stiffness / (h2 * h2);
   pass.energy.twist += 0.5 * stiffness * d.squaredNorm();
   const Vec3 force = stiffness * d;
   const auto up = static_cast<std::size_t>(m.columns);

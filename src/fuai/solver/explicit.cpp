@@ -58,7 +58,7 @@ void add_cell_rows(const ClothModel& model, const ClothMaterial& material, RowSu
     const double area = model.cell_area[slot];
     if (!(area > 0.0)) continue;
     const double row = 2.0 * area / h2 * material.shear.max_stick_tangent() +
-                       16.0 * area * material.twist_stiffness / (h2 * h2);
+                       16.0 * model.twist_area[slot] * material.twist_stiffness / (h2 * h2);
     for (std::size_t corner : {slot, slot + 1, slot + up, slot + up + 1}) rows.stiffness[corner] += row;
   }
 }

@@ -15,8 +15,6 @@ namespace {
 /// Guard B lets the slope along the step come out at this part of what it was, and tries this often.
 constexpr double kOvershoot = 0.25;
 constexpr int kMostShortenings = 4;
-/// Conjugate gradients stop at this part of the first residual: beyond it rounding rules in single precision.
-constexpr double kLeastReduction = 1e-6;
 
 template <class T>
 T part(const Vec3& v, int i) {
@@ -87,7 +85,7 @@ void SolverImplicit<T>::begin_step(double dt) noexcept {
   step_.inertia = static_cast<T>((1.0 + drag * dt) / (dt * dt));
   step_.velocity_gain = static_cast<T>(dt / (1.0 + drag * dt));
   for (int i = 0; i < 3; ++i) {
-    step_.gravity_dt[i] = static_cast<T>(dt * options_.gravity[i]);
+    step_.gravity_dt[i] = static_cast<T>(dt * load_ * options_.gravity[i]);
     step_.wind_dt[i] = static_cast<T>(dt * options_.wind[i]);
   }
 }
@@ -157,8 +155,8 @@ double SolverImplicit<T>::solve(StepReport& report) noexcept {
   vectors(kernels_->factor_warp, grid_.columns);
   vectors(kernels_->factor_weft, grid_.rows);
   const double first = rows(kernels_->begin_solve);
-  const double least =
-      std::max(options_.tolerance * options_.tolerance * 0.01, first * kLeastReduction * kLeastReduction);
+  const double least = std::max(options_.tolerance * options_.tolerance * 0.01,
+                                first * options_.reduction * options_.reduction);
   double slope = 0.0, previous = 0.0, square = first;
   for (int i = 0; i < options_.iterations && square > least; ++i) {
     vectors(kernels_->solve_warp, grid_.columns);
@@ -252,6 +250,72 @@ StepReport SolverImplicit<T>::step(double dt) noexcept {
 }
 
 template <class T>
+StepReport SolverImplicit<T>::descend(double dt, double largest_move) noexcept {
+  StepReport report;
+  begin_step(dt);
+  rows(kernels_->keep);
+  rows(kernels_->stop);
+  evaluate(Evaluation::kLinearise);
+  report.residual = std::sqrt(rows(kernels_->square));
+  double slope = solve(report);
+  const double longest = std::sqrt(longest_square());
+  if (longest > largest_move) {
+    const double share = largest_move / longest;
+    rows(kernels_->scale_d, static_cast<T>(share));
+    slope *= share;
+    report.status |= StepReport::kShortened;
+  }
+  rows(kernels_->move, T(1));
+  evaluate(Evaluation::kForce);
+  report.evaluations = 2;
+  report.linearisations = 1;
+  if (options_.guards) search_back(slope, report);
+  if (!std::isfinite(report.residual) || !std::isfinite(rows(kernels_->square))) {
+    give_up();
+    report.status |= StepReport::kNotFinite;
+  }
+  return report;
+}
+
+template <class T>
+double SolverImplicit<T>::longest_square() const noexcept {
+  double longest = 0.0;
+  for (int row = 0; row < grid_.rows; ++row) {
+    for (std::ptrdiff_t p = grid_.at(row), end = p + grid_.columns; p < end; ++p)
+      longest = std::max(longest, vector_at(grid_.d, p).squaredNorm());
+  }
+  return longest;
+}
+
+template <class T>
+void SolverImplicit<T>::commit() noexcept {
+  begin_step(1.0);
+  rows(kernels_->keep);
+  rows(kernels_->stop);
+  evaluate(Evaluation::kForce);
+  kernels_->commit(grid_, constants_, 0, grid_.rows);
+}
+
+template <class T>
+double SolverImplicit<T>::out_of_balance() noexcept {
+  begin_step(1.0);
+  rows(kernels_->keep);
+  rows(kernels_->stop);
+  evaluate(Evaluation::kForce);
+  return std::sqrt(rows(kernels_->square));
+}
+
+template <class T>
+double SolverImplicit<T>::mobile_weight() const noexcept {
+  double area = 0.0;
+  for (int row = 0; row < grid_.rows; ++row) {
+    for (std::ptrdiff_t p = grid_.at(row), end = p + grid_.columns; p < end; ++p)
+      area += static_cast<double>(grid_.node_area[p] * grid_.mobile[p]);
+  }
+  return area * static_cast<double>(constants_.areal_mass) * options_.gravity.norm();
+}
+
+template <class T>
 void SolverImplicit<T>::place(int slot, const Vec3& position) noexcept {
   const std::ptrdiff_t p = at(slot);
   grid_.x.x[p] = part<T>(position, 0);
@@ -290,7 +354,7 @@ template <class T>
 Vec3 SolverImplicit<T>::force_on_fixed(int slot) const noexcept {
   const std::ptrdiff_t p = at(slot);
   const double mass = static_cast<double>(grid_.node_area[p]) * static_cast<double>(constants_.areal_mass);
-  return vector_at(grid_.force, p) + mass * options_.gravity;
+  return vector_at(grid_.force, p) + mass * load_ * options_.gravity;
 }
 
 template <class T>

@@ -31,6 +31,7 @@ struct ImplicitOptions {
   int iterations = 8;        ///< conjugate gradients a linearisation, at most
   int linearisations = 2;    ///< at most, a step
   double relinearise = 0.1;  ///< once more while the force out of balance exceeds this part of what it was
+  double reduction = 1e-6;   ///< conjugate gradients stop at this part of the first residual
   double tolerance =
       0.0;  ///< stop when the force out of balance is below this, root of the sum of squares [N]
   Preconditioner preconditioner = Preconditioner::kYarnLines;
@@ -100,6 +101,20 @@ class SolverImplicit {
   /// One step. Thread class: real-time. @param dt [s], > 0
   StepReport step(double dt) noexcept;
 
+  /// One step of descent to equilibrium: a linearisation about x, damped as a step dt from rest would be, no
+  /// slot moved by more than `largest_move`. Leaves velocities at zero and the memory where it was; see
+  /// commit(). The residual reported is that before the step. Thread class: real-time.
+  StepReport descend(double dt, double largest_move) noexcept;
+  /// Moves the friction memory to where the cloth is. Thread class: real-time.
+  void commit() noexcept;
+  /// Force out of balance where the cloth is, root of the sum of squares over mobile slots [N].
+  /// Thread class: real-time.
+  double out_of_balance() noexcept;
+  /// Weight of the mobile cloth [N]. Thread class: any.
+  double mobile_weight() const noexcept;
+  /// Scales gravity in the next steps: the loading path of a static solve. Thread class: real-time.
+  void set_load(double share) noexcept { load_ = share; }
+
   /// Position of a slot [m]. Thread class: real-time.
   Vec3 position(int slot) const noexcept;
   Vec3 velocity(int slot) const noexcept;
@@ -123,6 +138,7 @@ class SolverImplicit {
   double solve(StepReport& report) noexcept;
   void search_back(double slope, StepReport& report) noexcept;
   void give_up() noexcept;
+  double longest_square() const noexcept;
   template <class Kernel, class... Arguments>
   double rows(Kernel kernel, const Arguments&... arguments) noexcept;
   template <class Kernel, class... Arguments>
@@ -140,7 +156,7 @@ class SolverImplicit {
   std::vector<HoldForce> holds_;
   std::size_t group_count_ = 0;
   int columns_ = 0;
-  double time_ = 0.0;
+  double time_ = 0.0, load_ = 1.0;
 };
 
 extern template class SolverImplicit<float>;

@@ -197,7 +197,7 @@ HWY_INLINE CellBlock<T> cell(const ImplicitGrid<T>& g, const ImplicitConstants<T
   const Lane<T> weight = hn::Mul(area, r.stress);
   block.P = scale(weight, gp);
   block.M = scale(weight, gm);
-  block.D = scale(hn::Mul(area, set(k.twist)), sub(add(x11, x00), add(x10, x01)));
+  block.D = scale(hn::Mul(load(g.twist_area + p), set(k.twist)), sub(add(x11, x00), add(x10, x01)));
   const Lane<T> root = hn::Sqrt(hn::Mul(area, hn::Max(r.tangent, hn::Zero(Tag<T>()))));
   block.plus = scale(root, gp);
   block.minus = scale(root, gm);

@@ -58,11 +58,12 @@ struct ImplicitGrid {
   int width = 0;     ///< columns rounded up to whole vectors of the widest machine: what kernels work on
   int stride_t = 0;  ///< numbers a column of the transposed arrays
   // Constant.
-  T* live = nullptr;       ///< 1 or 0
-  T* mobile = nullptr;     ///< 1: live and not fixed
-  T* node_area = nullptr;  ///< [m2]
-  T* cell_area = nullptr;  ///< [m2]
-  T* weft_edge = nullptr;  ///< areas [m2]
+  T* live = nullptr;        ///< 1 or 0
+  T* mobile = nullptr;      ///< 1: live and not fixed
+  T* node_area = nullptr;   ///< [m2]
+  T* cell_area = nullptr;   ///< [m2]
+  T* twist_area = nullptr;  ///< [m2]
+  T* weft_edge = nullptr;   ///< areas [m2]
   T* warp_edge = nullptr;
   T* weft_bend = nullptr;
   T* warp_bend = nullptr;

@@ -39,6 +39,8 @@ ImplicitKernels<T> make_kernels() {
   k.begin_solve = &begin_solve_rows<T>;
   k.keep = &keep_rows<T>;
   k.replace = &replace_rows<T>;
+  k.scale_d = &scale_d_rows<T>;
+  k.stop = &stop_rows<T>;
   k.move = &move_rows<T>;
   k.work_d = &work_d_rows<T>;
   k.work_v = &work_v_rows<T>;

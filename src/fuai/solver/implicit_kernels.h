@@ -50,6 +50,10 @@ struct ImplicitKernels {
   void (*keep)(const Grid&, int begin, int end);
   /// x of mobile nodes = xn + scale v.
   void (*replace)(const Grid&, T scale, int begin, int end);
+  /// d *= scale.
+  void (*scale_d)(const Grid&, T scale, int begin, int end);
+  /// v = 0.
+  void (*stop)(const Grid&, int begin, int end);
   /// x += scale d.
   void (*move)(const Grid&, T scale, int begin, int end);
   /// partial = force.d and force.v over mobile nodes.

@@ -44,7 +44,7 @@ HWY_NOINLINE void product_row(const ImplicitGrid<T>& g, const ImplicitConstants<
     const Lane<T> gamma = add_dot<T>(minus, sub(east, north), dot(plus, sub(x11, x)));
     store3(scale(gamma, plus), out.field(kP), c);
     store3(scale(gamma, minus), out.field(kM), c);
-    store3(scale(hn::Mul(load(g.cell_area + p), set(k.twist)), sub(add(x11, x), add(east, north))),
+    store3(scale(hn::Mul(load(g.twist_area + p), set(k.twist)), sub(add(x11, x), add(east, north))),
            out.field(kD), c);
     if (!own) continue;
     const Lane3<T> ground = scale(load(g.ground + p), x);
@@ -125,8 +125,8 @@ HWY_INLINE Block<T> diagonal(const ImplicitGrid<T>& g, const ImplicitConstants<T
   const std::ptrdiff_t S = g.stride;
   const Lane<T> side = hn::Add(hn::Add(load(g.weft_side + p), load(g.weft_side + p - 1)),
                                hn::Add(load(g.warp_side + p), load(g.warp_side + p - S)));
-  const Lane<T> cells = hn::Add(hn::Add(load(g.cell_area + p), load(g.cell_area + p - 1)),
-                                hn::Add(load(g.cell_area + p - S), load(g.cell_area + p - S - 1)));
+  const Lane<T> cells = hn::Add(hn::Add(load(g.twist_area + p), load(g.twist_area + p - 1)),
+                                hn::Add(load(g.twist_area + p - S), load(g.twist_area + p - S - 1)));
   Block<T> b =
       add_isotropic(hn::MulAdd(set(k.twist), cells, hn::Add(side, load(g.ground + p))), zero_block<T>());
   b = add_outer(load3(g.weft_axis, p), b);

@@ -45,8 +45,9 @@ void ImplicitStorage<T>::lay_out(bool poisson) {
     to.y = take(field);
     to.z = take(field);
   };
-  for (T** to : {&g.live, &g.mobile, &g.node_area, &g.cell_area, &g.weft_edge, &g.warp_edge, &g.weft_bend,
-                 &g.warp_bend, &g.weft_curve, &g.warp_curve, &g.weft_strain_n, &g.warp_strain_n})
+  for (T** to :
+       {&g.live, &g.mobile, &g.node_area, &g.cell_area, &g.twist_area, &g.weft_edge, &g.warp_edge,
+        &g.weft_bend, &g.warp_bend, &g.weft_curve, &g.warp_curve, &g.weft_strain_n, &g.warp_strain_n})
     one(*to);
   for (Field3<T>* to : {&g.x, &g.v, &g.xn, &g.force, &g.d, &g.p, &g.q}) three(*to);
   const auto memory = [&](T** to, const LawTableView<T>& law) {
@@ -108,6 +109,7 @@ void ImplicitStorage<T>::fill_arrays(const ClothModel& model) {
       g.mobile[p] = live && model.fixed[i] == 0 ? T(1) : T(0);
       g.node_area[p] = static_cast<T>(model.node_area[i]);
       g.cell_area[p] = static_cast<T>(model.cell_area[i]);
+      g.twist_area[p] = static_cast<T>(model.twist_area[i]);
       g.weft_edge[p] = static_cast<T>(model.weft_edge_area[i]);
       g.warp_edge[p] = static_cast<T>(model.warp_edge_area[i]);
       g.weft_bend[p] = static_cast<T>(model.weft_bend_area[i]);

@@ -90,6 +90,25 @@ void keep_rows(const ImplicitGrid<T>& g, int begin, int end) {
 }
 
 template <class T>
+void scale_d_rows(const ImplicitGrid<T>& g, T s, int begin, int end) {
+  const int lanes = lanes_of<T>();
+  for (int row = begin; row < end; ++row) {
+    for (int c = 0; c < g.width; c += lanes) {
+      const std::ptrdiff_t p = g.at(row) + c;
+      store3(scale(set(s), load3(g.d, p)), g.d, p);
+    }
+  }
+}
+
+template <class T>
+void stop_rows(const ImplicitGrid<T>& g, int begin, int end) {
+  const int lanes = lanes_of<T>();
+  for (int row = begin; row < end; ++row) {
+    for (int c = 0; c < g.width; c += lanes) store3(zero3<T>(), g.v, g.at(row) + c);
+  }
+}
+
+template <class T>
 void move_rows(const ImplicitGrid<T>& g, T s, int begin, int end) {
   const int lanes = lanes_of<T>();
   for (int row = begin; row < end; ++row) {

@@ -1,0 +1,86 @@
+// bench_engine [--markdown FILE] [--quick]: speed, kernels, limits and accuracy of the cloth engine.
+// SPDX-License-Identifier: Apache-2.0
+#include "bench_engine.h"
+
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <string>
+
+#include "fuai/solver/implicit_kernels.h"
+#ifdef FUAI_BENCH_BULLET
+#include "bullet_cloth.h"
+#endif
+
+namespace {
+
+using namespace fuai_bench;
+
+std::string processor_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.rfind("model name", 0) == 0 && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown processor";
+}
+
+void report_machine(Report& report, const MachineLimits& limits) {
+  const auto& kernels = fuai::implicit_kernels<float>();
+  report.heading("Machine");
+  std::string text = processor_name() + "; the solver uses " + kernels.target + ", " +
+                     std::to_string(kernels.lanes) + " floats a vector.";
+#ifdef FUAI_BENCH_BULLET
+  text += " Bullet " + fixed_text(0.01 * BulletCloth::version(), 2) + ".";
+#endif
+  report.paragraph(text);
+  std::vector<Row> rows{
+      {"multiply-add of floats", fixed_text(1e-9 * limits.flops_per_second, 0) + " Gflop/s"}};
+  for (const Bandwidth& b : limits.bandwidths)
+    rows.push_back({"read and write within " + std::to_string(b.bytes / 1024) + " KiB",
+                    fixed_text(1e-9 * b.bytes_per_second, 0) + " GB/s"});
+  report.table({"limit of one core (" + std::string(limits.target) + ")", "best measured"}, rows);
+}
+
+int run(int count, char** arguments) {
+  bool quick = false;
+  std::string file;
+  for (int i = 1; i < count; ++i) {
+    const std::string argument = arguments[i];
+    if (argument == "--quick") {
+      quick = true;
+    } else if (argument == "--markdown" && i + 1 < count) {
+      file = arguments[++i];
+    } else {
+      std::fprintf(stderr, "usage: bench_engine [--markdown FILE] [--quick]\n");
+      return 2;
+    }
+  }
+  Report report;
+  const MachineLimits limits = measure_machine(quick ? 40 : 200);
+  report_machine(report, limits);
+  report_speed(report, quick);
+  report_kernels(report, limits, quick);
+  report_accuracy(report, quick);
+  if (file.empty()) return 0;
+  std::ofstream out(file);
+  out << "# Measured figures of the cloth engine\n\nWritten by `bench_engine --markdown` "
+      << (quick ? "(`--quick`)" : "") << "; do not edit.\n\n"
+      << report.markdown();
+  if (!out.flush()) {
+    std::fprintf(stderr, "bench_engine: cannot write %s\n", file.c_str());
+    return 1;
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    return run(count, arguments);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bench_engine: %s\n", error.what());
+    return 1;
+  }
+}

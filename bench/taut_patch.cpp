@@ -1,0 +1,128 @@
+// Builds the cloth of the benches and the taut patch.
+// SPDX-License-Identifier: Apache-2.0
+#include "taut_patch.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "fuai/cloth/cloth_piece.h"
+#include "fuai/fabric/curve_table.h"
+#include "fuai/fabric/scalar_laws.h"
+#include "fuai/solver/implicit.h"
+
+namespace fuai_bench {
+namespace {
+
+using namespace fuai;
+
+constexpr double kToe = 980.0, kGrowth = 1.764e5, kStraightFrom = 0.05;              // [N/m], [N/m], [-]
+constexpr double kShearStiffness = 56.0, kShearStick = 84.0, kShearFriction = 0.74;  // [N/m]
+constexpr double kBendingStiffness = 1e-5, kBendingStick = 1.6e-5, kBendingFriction = 2.45e-4;  // [N m], [N]
+constexpr double kSlack = 0.05;
+
+/// F = k x with one play element that sticks with `stick` and slips at `friction`.
+PlayLaw straight_law(double k, double stick, double friction, double range) {
+  const std::array<double, 3> elastic{-k * range, 0.0, k * range}, width{friction, friction, friction};
+  const std::array<PlayElement, 1> play{{{friction / stick, 1.0}}};
+  return make_play_law(make_curve_table(-range, range, elastic),
+                       make_curve_table(-range, range, width, constant_outside()), play);
+}
+
+PlayLaw tension_law() {
+  constexpr int kCells = 200;
+  std::vector<double> stress;
+  for (int i = 0; i <= kCells; ++i) {
+    const double e = kStraightFrom * (2.0 * i / kCells - 1.0), stretch = std::max(e, 0.0);
+    stress.push_back(kToe * e + kGrowth * stretch * stretch);
+  }
+  Extrapolation outside;
+  outside.slope_low = kToe;
+  outside.slope_high = kToe + 2.0 * kGrowth * kStraightFrom;
+  outside.slopes_given = true;
+  // A law needs a play element: this one has no strength.
+  const std::array<double, 2> no_friction{0.0, 0.0};
+  const std::array<PlayElement, 1> play{{{kStraightFrom, 1.0}}};
+  return make_play_law(make_curve_table(-kStraightFrom, kStraightFrom, stress, outside),
+                       make_curve_table(-kStraightFrom, kStraightFrom, no_friction, constant_outside()),
+                       play);
+}
+
+/// Hanging from the top row, 5 % narrower than flat, in folds of eight spacings that grow from the top.
+void hang(const ClothModel& model, std::vector<Vec3>& positions) {
+  constexpr double kFold = 0.08;                                                           // wave length [m]
+  const double amplitude = kFold / std::numbers::pi * std::sqrt(kSlack / (1.0 - kSlack));  // of that slack
+  for (int row = 0; row < model.rows; ++row) {
+    const int below = model.rows - 1 - row;
+    const double grown = std::min(1.0, below / 8.0);
+    for (int column = 0; column < model.columns; ++column) {
+      const double x = (1.0 - kSlack) * column * model.spacing;
+      positions[static_cast<std::size_t>(model.slot(column, row))] =
+          Vec3(x, grown * amplitude * std::sin(2.0 * std::numbers::pi * x / kFold), -below * model.spacing);
+    }
+  }
+}
+
+}  // namespace
+
+ClothMaterial bench_material() {
+  ClothMaterial m;
+  m.weft_tension = m.warp_tension = tension_law();
+  m.shear = straight_law(kShearStiffness, kShearStick, kShearFriction, kes_shear_range());
+  m.weft_bending = m.warp_bending =
+      straight_law(kBendingStiffness, kBendingStick, kBendingFriction, kKesBendingRange);
+  m.viscosity_time = 5e-5;
+  m.mass_drag = 1.5;
+  m.air_density = 0.0;
+  return m;
+}
+
+ClothModel bench_square(int side, const std::vector<int>& held) {
+  const double length = (side - 1) * kSpacing;
+  ClothPieceSpec spec;
+  spec.outline = {{0.0, 0.0}, {length, 0.0}, {length, length}, {0.0, length}};
+  spec.spacing = kSpacing;
+  spec.areal_mass = kArealMass;
+  ClothModel model = make_cloth_model(spec);
+  for (int slot : held) model.fixed[static_cast<std::size_t>(slot)] = 1;
+  return model;
+}
+
+ClothModel two_corner_square(int side) { return bench_square(side, {side * (side - 1), side * side - 1}); }
+
+Vec3 TautPatch::target(double time) const {
+  const double size = model.columns / 32.0;
+  const double swing = 0.5 * (1.0 - std::cos(2.0 * std::numbers::pi * 2.0 * time));
+  const double tremor = 1e-3 * std::sin(2.0 * std::numbers::pi * 8.0 * time);
+  return start.positions[static_cast<std::size_t>(grasp)] + size * swing * Vec3(0.06, 0.02, -0.004) +
+         Vec3(0.0, 0.0, tremor);
+}
+
+TautPatch make_taut_patch(int side) {
+  TautPatch patch;
+  std::vector<int> held;
+  for (int column = 0; column < side; ++column) held.push_back((side - 1) * side + column);
+  patch.material = bench_material();
+  patch.grasp = side / 2;
+  patch.model = bench_square(side, held);
+  patch.start = make_cloth_state(patch.model);
+  hang(patch.model, patch.start.positions);
+  // Long steps damp the swing away.
+  ImplicitOptions options;
+  options.iterations = 100;
+  options.linearisations = 8;
+  options.relinearise = 1e-3;
+  const auto settle = [&](int steps, double dt) {
+    SolverImplicit<double> solver(patch.model, patch.material, options);
+    solver.restore(patch.start);
+    for (int i = 0; i < steps; ++i) solver.step(dt);
+    solver.save(patch.start);
+    for (Vec3& v : patch.start.velocities) v.setZero();
+  };
+  settle(200, 0.01);
+  patch.model.fixed[static_cast<std::size_t>(patch.grasp)] = 1;
+  patch.start.time = 0.0;
+  return patch;
+}
+
+}  // namespace fuai_bench

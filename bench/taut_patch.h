@@ -1,0 +1,44 @@
+// The cloth and the taut patch that the speed and the accuracy of the engine are measured on.
+// SPDX-License-Identifier: Apache-2.0
+// Source: the laws and numbers of a 0.15 kg/m2 suiting with LT 0.7, EMT 5 % at 500 gf/cm, G 1 gf/(cm deg),
+// 2HG 1.5 gf/cm, B 1e-5 N m, 2HB 0.05 gf cm/cm.
+#pragma once
+
+#include <vector>
+
+#include "fuai/cloth/cloth_model.h"
+#include "fuai/solver/cloth_material.h"
+
+namespace fuai_bench {
+
+inline constexpr double kSpacing = 0.01;    ///< [m]
+inline constexpr double kArealMass = 0.15;  ///< [kg/m2]
+inline constexpr double kTick = 1e-3;       ///< [s]
+
+/// Tension k0 e + k1 max(e, 0)^2, straight beyond 5 %; shear and bending straight with friction of one play
+/// element; viscosity and mass-proportional drag; no twist, no air. Thread class: set-up.
+fuai::ClothMaterial bench_material();
+
+/// A square of side x side nodes with single nodes held. @param held slots. Thread class: set-up.
+fuai::ClothModel bench_square(int side, const std::vector<int>& held);
+
+/// Held at the two corners of the top row. Thread class: set-up.
+fuai::ClothModel two_corner_square(int side);
+
+/// Top row held straight with 5 % slack across, the middle of the bottom row moved: a pull that goes to and
+/// fro twice a second, 60 mm aside, 4 mm down and 20 mm out at 32 nodes a side and in proportion at others,
+/// and a tremor of 1 mm at 8 Hz.
+struct TautPatch {
+  fuai::ClothModel model;
+  fuai::ClothMaterial material;
+  int grasp = 0;           ///< slot
+  fuai::ClothState start;  ///< hanging at rest, the grasp held where it hangs
+
+  /// Where the grasp is at a time after the start [m].
+  fuai::Vec3 target(double time) const;
+};
+
+/// Lets the cloth come to rest with the converged implicit step. Thread class: set-up.
+TautPatch make_taut_patch(int side);
+
+}  // namespace fuai_bench
