@@ -21,8 +21,8 @@ EngineScene make_hanging_sheet(const FabricLaws& laws, const SceneOptions& optio
 EngineScene make_hanging_strip(const FabricLaws& laws, const SceneOptions& options = {});
 
 /// 32 x 32 at 1 cm, top edge clamped with 5 % slack (in waves); a fingertip at the middle of the bottom edge
-/// goes 6 cm forward, 2 cm aside and 4 mm down and back, twice a second, with a tremor of 1 mm at 8 Hz. The
-/// pull scales with the sheet, the tremor does not.
+/// goes 6 cm aside, 2 cm forward and 4 mm down and back, twice a second, with an upright tremor of 1 mm at 8
+/// Hz. The pull scales with the sheet, the tremor does not.
 EngineScene make_taut_patch(const FabricLaws& laws, const SceneOptions& options = {});
 
 /// The sheet of taut_patch; at 0.1 s the fingertip goes forward at 5 m/s for 20 ms and stops.

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kPullRate = 2.0, kTremorRate = 8.0;  // [Hz]
 constexpr double kTremor = 0.001;                     // [m]
-constexpr double kPullOfSheet = 0.31;                 // the pull below is that of a sheet this wide [m]
-const Vec3 kPull(0.02, -0.06, -0.004);                // aside, forward, down [m]
+constexpr double kPullOfSheet = 0.32;                 // the pull below is that of 32 nodes at 1 cm [m]
+const Vec3 kPull(0.06, -0.02, -0.004);                // aside, forward, down [m]
 
 class PullAndTremble : public SceneMotion {
  public:
@@ -22,7 +22,7 @@ class PullAndTremble : public SceneMotion {
     HandMoment moment;
     moment.holds = true;
     moment.position = start_ + 0.5 * (1.0 - std::cos(kPullRate * turn)) * pull_ +
-                      kTremor * std::sin(kTremorRate * turn) * pull_.normalized();
+                      kTremor * std::sin(kTremorRate * turn) * Vec3::UnitZ();
     return moment;
   }
 
@@ -34,7 +34,7 @@ class PullAndTremble : public SceneMotion {
 
 EngineScene make_taut_patch(const FabricLaws& laws, const SceneOptions& options) {
   EngineScene scene = make_clamped_sheet("taut_patch", laws, options);
-  const double side = (scene.model.columns - 1) * scene.model.spacing;
+  const double side = scene.model.columns * scene.model.spacing;
   scene.motion = std::make_unique<PullAndTremble>(start_position(scene, scene.hands.front().centre),
                                                   side / kPullOfSheet);
   scene.seconds = 2.25;  // at the farthest point of the pull
