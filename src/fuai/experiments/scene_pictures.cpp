@@ -19,7 +19,7 @@ constexpr double kRadPerDegree = std::numbers::pi / 180.0;
 constexpr std::size_t kMostPegs = 8;
 /// Forces of cloth go from a millinewton to ten newtons: the length of an arrow grows with the logarithm,
 /// from nothing at the least force to this part of the scene at the most.
-constexpr double kArrowPart = 0.5, kLeastForce = 1e-4, kMostForce = 10.0;  // [-], [N], [N]
+constexpr double kArrowPart = 0.35, kLeastForce = 1e-4, kMostForce = 10.0;  // [-], [N], [N]
 
 std::string force_label(double force) {
   char text[32];
@@ -52,7 +52,8 @@ void add_hands(std::span<const GraspReading> hands, double size, ClothPicture& p
     if (!hand.holds || !(share > 0.0)) continue;
     ArrowItem arrow;
     arrow.origin = hand.centre;
-    arrow.vector = hand.force / force * (kArrowPart * size * std::min(share, 1.0));
+    // The pull of the hand, against what it feels: this way the arrow leaves the cloth and is seen.
+    arrow.vector = -hand.force / force * (kArrowPart * size * std::min(share, 1.0));
     arrow.radius = 0.006 * size;
     arrow.label = force_label(force);
     picture.arrows.push_back(arrow);
@@ -124,9 +125,14 @@ ClothPicture engine_scene_picture(const EngineScene& scene, const ClothState& st
     lowest = std::min(lowest, block.low.z());
   }
   for (const Vec3& x : state.positions) lowest = std::min(lowest, x.z() - 0.02 * size);
-  picture.ground.height = lowest;
   add_pegs(scene, state, size, picture);
   add_hands(hands, size, picture);
+  for (const ArrowItem& arrow : picture.arrows) {
+    const Vec3 tip = arrow.origin + arrow.vector;
+    bounds.include(tip);
+    lowest = std::min(lowest, tip.z() - 0.03 * size);
+  }
+  picture.ground.height = lowest;
   picture.camera = frame_camera(bounds, scene.view.azimuth, scene.view.elevation, aspect);
   picture.caption = caption;
   ClothItem cloth;

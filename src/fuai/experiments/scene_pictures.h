@@ -26,7 +26,7 @@ ClothPicture scene_picture(std::string_view scene, SurfaceMesh mesh, const std::
                            double aspect);
 
 /// A moment of a scene of the engine: the cloth with its true outline, tables and rails, single held nodes as
-/// pegs, and what each hand feels as an arrow from where it holds.
+/// pegs, and the pull of each hand, against what it feels, as an arrow from where it holds.
 /// @param hands readings of the hands that hold; others are left out
 ClothPicture engine_scene_picture(const EngineScene& scene, const ClothState& state,
                                   std::span<const GraspReading> hands, const std::string& caption,
