@@ -50,6 +50,11 @@ struct Cross {
   Lane3<T> weft_next, weft_back, warp_next, warp_back;  ///< edge vectors along the yarns, growing index
 };
 
+/// Secants are taken to at least this strain [-]: below it friction at zero strain would make them endless.
+/// Ten times more lets the cupro's slack edges hunt again, see docs/theory/implicit-step.md.
+template <class T>
+inline constexpr T kLeastSecantStrain = T(2e-4);
+
 /// Tension of the edge `e`: gradient on its far node; strain; linearisation.
 template <class T>
 struct Tension {
@@ -72,7 +77,12 @@ HWY_INLINE Tension<T> tension(const ImplicitConstants<T>& k, const LawTableView<
   t.gradient = scale(hn::Mul(per_length, stress), u);
   // Along the yarn the tangent, across it the tension over the length; both not negative.
   t.side = hn::Max(hn::Mul(hn::Mul(per_length, stress), per_metre), hn::Zero(Tag<T>()));
-  const Lane<T> along = hn::Mul(hn::Mul(per_length, set(k.inverse_h)), hn::Add(r.tangent, rate));
+  // Where the law softens (slack, a measured toe) its tangent promises less stiffness than the edge shows a
+  // moment later, and the step would hunt to and fro; the secant to zero strain bounds it.
+  const Lane<T> secant =
+      hn::Mul(hn::Abs(r.stress), inverse<T>(hn::Max(hn::Abs(t.strain), set(kLeastSecantStrain<T>))));
+  const Lane<T> along =
+      hn::Mul(hn::Mul(per_length, set(k.inverse_h)), hn::Add(hn::Max(r.tangent, secant), rate));
   t.axis = scale(root<T>(hn::Sub(along, t.side)), u);
   return t;
 }
