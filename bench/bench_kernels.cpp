@@ -95,10 +95,8 @@ class TickKernels {
     list.push_back({"move", 1, {6, 9}, [this, rows] { k_.move(g_, 0.F, 0, rows); }});
     list.push_back({"evaluate, force", 1, {kEvaluateFlops, 34}, [this] { evaluate(Evaluation::kForce); }});
     list.push_back({"commit", 1, {20, 17}, [this, rows] { k_.commit(g_, storage_.constants(), 0, rows); }});
-    list.push_back({"finish and keep", 1, {6, 15}, [this, rows] {
-                      k_.finish(g_, step_.inverse_dt, 0, rows);
-                      k_.keep(g_, 0, rows);
-                    }});
+    list.push_back(
+        {"finish", 1, {40, 24}, [this, rows] { k_.finish(g_, storage_.constants(), step_, 0, rows); }});
     return list;
   }
 

@@ -2,16 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "commands.h"
 #include "fuai/core/error.h"
+#include "fuai/core/hash.h"
 #include "fuai/experiments/scene_pictures.h"
 #include "fuai/io/fabric_library.h"
 #include "fuai/io/text_file.h"
 #include "fuai/picture/image.h"
 #include "fuai/picture/offscreen_renderer.h"
 #include "fuai/scenes/catalogue.h"
-#include "fuai/units/parse.h"
+#include "scene_options.h"
 
 namespace fuai_app {
 
@@ -24,48 +27,112 @@ int run_scenes(const Console& console) {
     std::string line = name;
     line.append(name.size() < 16 ? 16 - name.size() : 1, ' ').append(description);
     console.line(line);
-    list.push(JsonValue().set("name", name).set("description", description));
+    list.push(JsonValue()
+                  .set("name", name)
+                  .set("description", description)
+                  .set("solver", entry.kind == SceneKind::kEngine ? "engine" : "paper"));
   }
   console.result(JsonValue().set("scenes", std::move(list)));
   return 0;
 }
 
-int run_render(const Console& console, const RenderOptions& options) {
+namespace {
+
+/// Pictures are taken of a run in steps of this length [s].
+constexpr double kRenderStep = 0.001;
+
+/// What a run ends with, besides its picture.
+struct Rendered {
+  ClothPicture picture;
+  JsonValue json;
+  std::string message;
+};
+
+double aspect_of(const RenderOptions& options) { return static_cast<double>(options.width) / options.height; }
+
+Rendered render_paper(const Console& console, const RenderOptions& options, const Fabric& fabric,
+                      std::optional<double> seconds) {
+  const PaperMode mode = options.as_printed ? PaperMode::kAsPrinted : PaperMode::kCorrected;
+  SceneMoment moment = run_scene(options.scene, make_fabric_laws(fabric), mode, seconds, console.progress());
+  const RelaxationResult& r = moment.relaxation;
+  Rendered out;
+  out.picture = scene_picture(options.scene, std::move(moment.mesh),
+                              fabric.name + (options.as_printed ? ", as printed" : ""), aspect_of(options));
+  out.message = "after " + std::to_string(r.steps) + " steps, residual " + format_number(r.residual) +
+                " node weights" + (r.converged ? "" : ", not at rest");
+  out.json.set("steps", std::int64_t{r.steps})
+      .set("residual_node_weights", r.residual)
+      .set("converged", r.converged)
+      .set("max_strain", r.max_stretch);
+  out.json.set("state_hash", hash_text(r.position_hash));
+  return out;
+}
+
+Rendered render_engine(const Console& console, const RenderOptions& options, const Fabric& fabric,
+                       const EngineScene& scene, std::optional<double> seconds) {
+  SceneRunner<float> runner(scene);
+  const double until = seconds.value_or(scene.seconds);
+  const std::int64_t steps = until > 0.0 ? steps_of(until, kRenderStep, "--time") : 0;
+  const Progress progress = console.progress();
+  StepReport report;
+  for (std::int64_t i = 0; i < steps; ++i) {
+    report = runner.step(kRenderStep);
+    if (progress && i % 16 == 0) progress(scene.name, static_cast<double>(i) / static_cast<double>(steps));
+  }
+  ClothState state;
+  runner.simulation().snapshot(state);
+  std::vector<GraspReading> hands;
+  for (std::size_t i = 0; i < scene.hands.size(); ++i) hands.push_back(runner.hand_reading(i));
+  const SimulationReading reading = runner.simulation().read();
+  Rendered out;
+  char time[32];
+  std::snprintf(time, sizeof time, ", %.4g s", until);
+  out.picture = engine_scene_picture(scene, state, hands, fabric.name + time, aspect_of(options));
+  out.message = "after " + format_number(until) + " s, residual " + format_number(report.residual) + " N";
+  out.json.set("steps", steps)
+      .set("residual_N", report.residual)
+      .set("max_strain", reading.max_strain)
+      .set("state_hash", hash_text(reading.state_hash));
+  return out;
+}
+
+/// @throws Error (kUsage) for options that the kind of scene does not take.
+void check_render_options(const RenderOptions& options, SceneKind kind) {
   if (!options.output.ends_with(".png")) {
     throw Error(ErrorKind::kUsage, "-o: pictures are PNG files, got '" + options.output + "'", {},
                 "end the name in .png");
   }
-  std::optional<double> seconds;
-  if (!options.time.empty()) {
-    seconds = parse_value(options.time, kTime, "--time");
-    if (*seconds < 0.0)
-      throw Error(ErrorKind::kUsage, "--time must not be negative", {}, "give a time such as 2s");
+  if (kind == SceneKind::kEngine && options.as_printed) {
+    throw Error(ErrorKind::kUsage, "--as-printed is for the scenes of the paper", {},
+                "take paper_drape or paper_bending, or leave it out");
   }
-  const PaperMode mode = options.as_printed ? PaperMode::kAsPrinted : PaperMode::kCorrected;
+  if (kind == SceneKind::kPaper && (options.size != 0 || !options.spacing.empty())) {
+    throw Error(ErrorKind::kUsage, "a scene of the paper has the paper's size and spacing", {},
+                "leave --size and --spacing out, or take corner_drape or bending");
+  }
+}
+
+}  // namespace
+
+int run_render(const Console& console, const RenderOptions& options) {
+  const SceneKind kind = named_scene(options.scene).kind;
+  check_render_options(options, kind);
+  std::optional<double> seconds;
+  if (!options.time.empty()) seconds = time_value(options.time, "--time", false);
+  const SceneOptions size = scene_options(options.size, options.spacing);
   const Fabric fabric = load_fabric(options.fabric);
   for (const std::string& warning : fabric.warnings) console.warn(warning);
   check_can_write(options.output);
+  std::optional<EngineScene> scene;
+  if (kind == SceneKind::kEngine) scene = make_engine_scene(options.scene, make_fabric_laws(fabric), size);
   OffscreenRenderer renderer =
       make_offscreen_renderer();  // before the long run: a missing driver shows at once
-  SceneMoment moment = run_scene(options.scene, make_fabric_laws(fabric), mode, seconds, console.progress());
-  const RelaxationResult& r = moment.relaxation;
-  const std::string caption = fabric.name + (options.as_printed ? ", as printed" : "");
-  const ClothPicture picture = scene_picture(options.scene, std::move(moment.mesh), caption,
-                                             static_cast<double>(options.width) / options.height);
-  write_atomically(options.output, encode_png(renderer.render(picture, options.width, options.height)));
-  console.say("wrote " + options.output + " after " + std::to_string(r.steps) + " steps, residual " +
-              format_number(r.residual) + " node weights" + (r.converged ? "" : ", not at rest"));
-  JsonValue json;
-  json.set("file", options.output)
-      .set("scene", options.scene)
-      .set("fabric", fabric.id)
-      .set("steps", std::int64_t{r.steps});
-  json.set("residual_node_weights", r.residual)
-      .set("converged", r.converged)
-      .set("max_strain", r.max_stretch);
-  char hash[17];
-  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(r.position_hash));
-  json.set("state_hash", hash);
+  const Rendered out = scene ? render_engine(console, options, fabric, *scene, seconds)
+                             : render_paper(console, options, fabric, seconds);
+  write_atomically(options.output, encode_png(renderer.render(out.picture, options.width, options.height)));
+  console.say("wrote " + options.output + " " + out.message);
+  JsonValue json = out.json;
+  json.set("file", options.output).set("scene", options.scene).set("fabric", fabric.id);
   console.result(json);
   return 0;
 }

@@ -39,11 +39,26 @@ int run_scenes(const Console& console);
 struct RenderOptions {
   std::string scene;
   std::string fabric = "cupro-woven-su1098";
-  std::string time;  ///< with unit; empty: until the scene is at rest
+  std::string time;     ///< with unit; empty: the scene's own, of the paper's until it is at rest
+  int size = 0;         ///< nodes a side; 0: the scene's own
+  std::string spacing;  ///< with unit; empty: the scene's own
   std::string output;
   int width = 1280, height = 800;
   bool as_printed = false;
 };
 int run_render(const Console& console, const RenderOptions& options);
+
+struct SimulateOptions {
+  std::string scene;
+  std::string fabric = "cupro-woven-su1098";
+  int size = 0;            ///< nodes a side; 0: the scene's own
+  std::string spacing;     ///< with unit; empty: the scene's own
+  std::string dt = "1ms";  ///< with unit
+  std::string seconds;     ///< a number of seconds, or a time with unit; empty: the scene's own
+  int iterations = 0;      ///< 0: the solver's own
+  std::string precision = "float";
+  std::string record;  ///< CSV file; empty: none
+};
+int run_simulate(const Console& console, const SimulateOptions& options);
 
 }  // namespace fuai_app

@@ -10,6 +10,7 @@
 #include "commands.h"
 #include "fuai/core/error.h"
 #include "fuai/io/nearest_name.h"
+#include "fuai/scenes/engine_scene.h"
 
 namespace fuai_app {
 namespace {
@@ -38,6 +39,7 @@ struct Parsed {
   ShowOptions show;
   PaperOptions paper;
   RenderOptions render;
+  SimulateOptions simulate;
   std::function<int(const Console&)> run;
 };
 
@@ -89,6 +91,41 @@ void add_fabric_commands(CLI::App& app, Parsed& parsed) {
   show->callback([&] { parsed.run = [&](const Console& c) { return run_show(c, parsed.show); }; });
 }
 
+void add_size_options(CLI::App& command, int& size, std::string& spacing) {
+  command.add_option("--size", size, "Nodes on the longer side; default: the scene's own (`fuai scenes`)")
+      ->check(CLI::Range(fuai::kLeastSceneSize, fuai::kMostSceneSize));
+  command.add_option("--spacing", spacing,
+                     "Distance of the nodes with unit, e.g. 5mm; default: the scene's own, 1cm");
+}
+
+void add_simulate_command(CLI::App& app, Parsed& parsed) {
+  constexpr int kMostIterations = 1000;
+  SimulateOptions& options = parsed.simulate;
+  CLI::App* command = app.add_subcommand(
+      "simulate", "A scene in time on the cloth engine: state, force, energy, time a step");
+  command->add_option("SCENE", options.scene, "A name that `fuai scenes` lists, not one of the paper's")
+      ->required();
+  command->add_option("--fabric", options.fabric, "Bundled name or path of a fabric file")
+      ->capture_default_str();
+  add_size_options(*command, options.size, options.spacing);
+  command->add_option("--dt", options.dt, "Length of a step with unit, 1us to 1s")->capture_default_str();
+  command->add_option("--seconds", options.seconds,
+                      "How long, up to 3600; a number of seconds or a time such as 500ms. Default: the "
+                      "scene's own");
+  command->add_option("--iterations", options.iterations, "Conjugate gradients a linearisation. Default: 8")
+      ->check(CLI::Range(1, kMostIterations));
+  command->add_option("--precision", options.precision, "float, as at run time, or double, to check")
+      ->check(CLI::IsMember({"float", "double"}))
+      ->capture_default_str();
+  command->add_option("--record", options.record,
+                      "CSV file with a row a step: time, hand, force, moment, status, residual");
+  command->footer(
+      "Examples:\n  fuai simulate hanging_sheet\n"
+      "  fuai simulate taut_patch --fabric wool-tropical --seconds 1 --record pull.csv\n"
+      "  fuai --json simulate corner_drape --spacing 5mm --dt 500us --precision double");
+  command->callback([&] { parsed.run = [&](const Console& c) { return run_simulate(c, parsed.simulate); }; });
+}
+
 void add_scene_commands(CLI::App& app, Parsed& parsed) {
   CLI::App* paper =
       app.add_subcommand("paper", "Remake the founding paper's figures as a page: index.html, PNG, CSV");
@@ -106,10 +143,12 @@ void add_scene_commands(CLI::App& app, Parsed& parsed) {
   render->add_option("SCENE", parsed.render.scene, "A name that `fuai scenes` lists")->required();
   render->add_option("--fabric", parsed.render.fabric, "Bundled name or path of a fabric file")
       ->capture_default_str();
-  render->add_option("--time", parsed.render.time,
-                     "Time with unit, e.g. 2s; a relaxation counts ten updates a second, as the paper did. "
-                     "Default: at rest");
+  render->add_option(
+      "--time", parsed.render.time,
+      "Time with unit, e.g. 2s. Default: the scene's own. Scenes of the paper count ten updates "
+      "a second, as the paper did; their default: at rest");
   render->add_option("-o,--output", parsed.render.output, "PNG file to write")->required();
+  add_size_options(*render, parsed.render.size, parsed.render.spacing);
   render->add_option("--width", parsed.render.width, "Pixels")
       ->check(CLI::Range(16, 8192))
       ->capture_default_str();
@@ -119,9 +158,11 @@ void add_scene_commands(CLI::App& app, Parsed& parsed) {
   render->add_flag("--as-printed", parsed.render.as_printed,
                    "The paper's method with all its faults, instead of the corrected one");
   render->footer(
-      "Examples:\n  fuai render paper_drape --fabric wool-tropical -o drape.png\n"
+      "Examples:\n  fuai render hanging_sheet --fabric wool-tropical --time 2s -o sheet.png\n"
+      "  fuai render corner_drape --spacing 5mm -o drape.png\n"
       "  fuai render paper_drape --fabric graded-10 --time 30s --as-printed -o paper.png");
   render->callback([&] { parsed.run = [&](const Console& c) { return run_render(c, parsed.render); }; });
+  add_simulate_command(app, parsed);
 }
 
 /// Reads --config as CLI11 does, without the options that an environment variable states: CLI11 itself would
@@ -166,7 +207,8 @@ void add_common_options(CLI::App& app, Parsed& parsed) {
   app.fallthrough();
   app.footer(
       "Examples:\n  fuai fabrics\n  fuai fabric show wool-tropical\n"
-      "  fuai render paper_drape --fabric wool-tropical -o drape.png\n"
+      "  fuai render hanging_sheet --fabric wool-tropical -o sheet.png\n"
+      "  fuai simulate taut_patch --record pull.csv\n"
       "  fuai COMMAND --help\n\n"
       "A FABRIC is a bundled name (`fuai fabrics`) or the path of a fabric file. Values take units: 18cm, "
       "20gf, 1ms.\n"

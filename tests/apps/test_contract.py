@@ -8,7 +8,7 @@ from html.parser import HTMLParser
 
 from program_tools import FABRIC, SOURCE, Case
 
-COMMANDS = ["fabrics", "fabric", "fabric import", "fabric show", "paper", "scenes", "render"]
+COMMANDS = ["fabrics", "fabric", "fabric import", "fabric show", "paper", "scenes", "render", "simulate"]
 # Any file that is no driver description hides all drivers, as tests/picture does.
 NO_DRIVER = {"__EGL_VENDOR_LIBRARY_FILENAMES": "/dev/null"}
 
@@ -27,7 +27,7 @@ class Unit(Case):
 
     def test_wrong_usage_names_the_word_and_exits_with_2(self):
         for words, message in [
-            (["nosuch"], "has no command 'nosuch'\nThe commands are fabrics, fabric, paper, scenes or render."),
+            (["nosuch"], "has no command 'nosuch'\nThe commands are fabrics, fabric, paper, scenes, render or simulate."),
             (["fabrcs"], "did you mean 'fabrics'?"),
             (["fabric", "shw"], "did you mean 'show'?"),
             (["render", "paper_drape", "--tme", "2s", "-o", "a.png"], "did you mean '--time'?"),
@@ -37,7 +37,7 @@ class Unit(Case):
             (["render", "paper_drape", "-o", "a.png", "--width", "8"], "--width"),
             (["--threads", "1000", "scenes"], "--threads"),
             (["--seed", "-1", "scenes"], "--seed"),
-            (["render", "paper_drap", "--time", "0s", "-o", "a.png"], "the scenes are paper_drape"),
+            (["render", "paper_drap", "--time", "0s", "-o", "a.png"], "did you mean paper_drape? the scenes are "),
             (["render", "paper_drape", "-o", "a.jpg"], "end the name in .png"),
             (["fabric", "show", "wool-tropical", "--plot", "a.gif"], "end the name in .png or .svg"),
         ]:
@@ -90,7 +90,7 @@ class Unit(Case):
         imported = self.json_of(*words, "-o", "e.toml")
         self.assertEqual(imported["fabrics"][0]["numbers"]["bending.warp.B_gf_cm2_per_cm"], 0.06)
         self.assertEqual(imported["fabrics"][0]["file"], "e.toml")
-        self.assertEqual([s["name"] for s in self.json_of("scenes")["scenes"]], ["paper_drape", "paper_bending"])
+        self.assertIn("paper_drape", [s["name"] for s in self.json_of("scenes")["scenes"]])
         # A warning is said also with -q.
         self.assertIn("warning: ", self.run_program("-q", "fabric", "show", "cupro-woven-su1098").stderr)
 

@@ -9,6 +9,14 @@
 
 namespace fuai {
 
+/// Sixteen lower-case hexadecimal digits. Thread class: any.
+inline std::string hash_text(std::uint64_t hash) {
+  constexpr const char* kDigits = "0123456789abcdef";
+  std::string text(16, '0');
+  for (unsigned i = 0; i < 16; ++i) text[i] = kDigits[(hash >> (60 - 4 * i)) & 0xf];
+  return text;
+}
+
 /// FNV-1a, 64 bit, over the bytes fed to it. Thread class: real-time.
 class StateHash {
  public:
@@ -20,13 +28,7 @@ class StateHash {
   void add(double value) noexcept { add(&value, sizeof value); }
 
   std::uint64_t value() const noexcept { return value_; }
-  /// Sixteen lower-case hexadecimal digits.
-  std::string hex() const {
-    constexpr const char* kDigits = "0123456789abcdef";
-    std::string text(16, '0');
-    for (unsigned i = 0; i < 16; ++i) text[i] = kDigits[(value_ >> (60 - 4 * i)) & 0xf];
-    return text;
-  }
+  std::string hex() const { return hash_text(value_); }
 
  private:
   std::uint64_t value_ = 0xcbf29ce484222325ULL;

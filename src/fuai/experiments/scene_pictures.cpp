@@ -2,13 +2,63 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuai/experiments/scene_pictures.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <utility>
+
+#include "fuai/cloth/piece_mesh.h"
 
 namespace fuai {
 namespace {
 
 constexpr double kRadPerDegree = std::numbers::pi / 180.0;
+
+/// Up to this many held nodes are shown as pegs; more are an edge or an area, which a rail or table shows.
+constexpr std::size_t kMostPegs = 8;
+/// Forces of cloth go from a millinewton to ten newtons: the length of an arrow grows with the logarithm,
+/// from nothing at the least force to this part of the scene at the most.
+constexpr double kArrowPart = 0.35, kLeastForce = 1e-4, kMostForce = 10.0;  // [-], [N], [N]
+
+std::string force_label(double force) {
+  char text[32];
+  if (force < 1.0)
+    std::snprintf(text, sizeof text, "%.3g mN", 1e3 * force);
+  else
+    std::snprintf(text, sizeof text, "%.3g N", force);
+  return text;
+}
+
+void add_pegs(const EngineScene& scene, const ClothState& state, double size, ClothPicture& picture) {
+  std::vector<Vec3> held;
+  for (std::size_t slot = 0; slot < state.positions.size(); ++slot)
+    if (scene.model.fixed[slot] != 0) held.push_back(state.positions[slot]);
+  if (held.size() > kMostPegs) return;
+  for (const Vec3& x : held) {
+    CylinderItem peg;
+    peg.radius = 0.01 * size;
+    peg.height = 2.5 * peg.radius;
+    peg.top = x + 0.5 * peg.height * Vec3::UnitZ();
+    peg.colour = {0.35, 0.35, 0.38, 1.0};
+    picture.cylinders.push_back(peg);
+  }
+}
+
+void add_hands(std::span<const GraspReading> hands, double size, ClothPicture& picture) {
+  for (const GraspReading& hand : hands) {
+    const double force = hand.force.norm();
+    const double share = std::log(force / kLeastForce) / std::log(kMostForce / kLeastForce);
+    if (!hand.holds || !(share > 0.0)) continue;
+    ArrowItem arrow;
+    arrow.origin = hand.centre;
+    // The pull of the hand, against what it feels: this way the arrow leaves the cloth and is seen.
+    arrow.vector = -hand.force / force * (kArrowPart * size * std::min(share, 1.0));
+    arrow.radius = 0.006 * size;
+    arrow.label = force_label(force);
+    picture.arrows.push_back(arrow);
+  }
+}
 
 }  // namespace
 
@@ -56,6 +106,40 @@ ClothPicture scene_picture(std::string_view scene, SurfaceMesh mesh, const std::
                            double aspect) {
   if (scene == "paper_drape") return paper_drape_picture(std::move(mesh), caption, aspect);
   return paper_bending_picture(std::move(mesh), {}, caption, aspect);
+}
+
+ClothPicture engine_scene_picture(const EngineScene& scene, const ClothState& state,
+                                  std::span<const GraspReading> hands, const std::string& caption,
+                                  double aspect) {
+  ClothPicture picture;
+  Bounds bounds;
+  bounds.include(scene.view.low);
+  bounds.include(scene.view.high);
+  const double size = (bounds.high - bounds.low).maxCoeff();
+  double lowest = bounds.low.z();
+  for (const SceneBlock& block : scene.view.blocks) {
+    BoxItem box;
+    box.low = block.low;
+    box.high = block.high;
+    picture.boxes.push_back(box);
+    lowest = std::min(lowest, block.low.z());
+  }
+  for (const Vec3& x : state.positions) lowest = std::min(lowest, x.z() - 0.02 * size);
+  add_pegs(scene, state, size, picture);
+  add_hands(hands, size, picture);
+  for (const ArrowItem& arrow : picture.arrows) {
+    const Vec3 tip = arrow.origin + arrow.vector;
+    bounds.include(tip);
+    lowest = std::min(lowest, tip.z() - 0.03 * size);
+  }
+  picture.ground.height = lowest;
+  picture.camera = frame_camera(bounds, scene.view.azimuth, scene.view.elevation, aspect);
+  picture.caption = caption;
+  ClothItem cloth;
+  cloth.mesh = make_piece_mesh(scene.model, state.positions).mesh;
+  cloth.thread_spacing = scene.model.spacing;
+  picture.cloths.push_back(std::move(cloth));
+  return picture;
 }
 
 }  // namespace fuai

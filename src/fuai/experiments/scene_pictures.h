@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "fuai/cloth/surface_mesh.h"
 #include "fuai/picture/cloth_picture.h"
+#include "fuai/scenes/engine_scene.h"
 
 namespace fuai {
 
@@ -22,5 +24,12 @@ ClothPicture paper_bending_picture(SurfaceMesh mesh, std::vector<ArrowItem> arro
 /// The picture of a scene of scenes/catalogue.h by its name; an unknown name gets the bending scene's camera.
 ClothPicture scene_picture(std::string_view scene, SurfaceMesh mesh, const std::string& caption,
                            double aspect);
+
+/// A moment of a scene of the engine: the cloth with its true outline, tables and rails, single held nodes as
+/// pegs, and the pull of each hand, against what it feels, as an arrow from where it holds.
+/// @param hands readings of the hands that hold; others are left out
+ClothPicture engine_scene_picture(const EngineScene& scene, const ClothState& state,
+                                  std::span<const GraspReading> hands, const std::string& caption,
+                                  double aspect);
 
 }  // namespace fuai

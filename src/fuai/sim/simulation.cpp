@@ -76,6 +76,26 @@ void Simulation<T>::release(int hold) noexcept {
 }
 
 template <class T>
+const Grasp* Simulation<T>::held(int hold) const noexcept {
+  if (hold < 0 || hold >= static_cast<int>(holds_.size())) return nullptr;
+  const Hold& h = holds_[static_cast<std::size_t>(hold)];
+  return h.active ? &h.grasp : nullptr;
+}
+
+template <class T>
+int Simulation<T>::take_over(const Grasp& grasp) noexcept {
+  for (std::size_t i = 0; i < holds_.size(); ++i) {
+    Hold& hold = holds_[i];
+    if (hold.active) continue;
+    hold.grasp = grasp;
+    hold.active = true;
+    hold.stepped = false;
+    return static_cast<int>(i);
+  }
+  return -1;
+}
+
+template <class T>
 GraspReading Simulation<T>::grasp_reading(int hold) const noexcept {
   GraspReading reading;
   if (hold < 0 || hold >= static_cast<int>(holds_.size())) return reading;

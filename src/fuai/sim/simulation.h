@@ -65,6 +65,11 @@ class Simulation {
   void move_grasp(int hold, const Vec3& hand, const Mat3& rotation = Mat3::Identity()) noexcept;
   /// Lets go. Thread class: real-time.
   void release(int hold) noexcept;
+  /// The hold itself, to be kept with a snapshot; null when it does not hold. Thread class: real-time.
+  const Grasp* held(int hold) const noexcept;
+  /// Goes on with a hold that was kept, after restore() of the state that was kept with it. @return number of
+  /// the hold, or -1 when there is none left. Thread class: real-time.
+  int take_over(const Grasp& grasp) noexcept;
   /// What the hand feels after the last step. Thread class: real-time.
   GraspReading grasp_reading(int hold) const noexcept;
 

@@ -11,14 +11,16 @@ namespace {
 /// far over what rounding of coordinates of a metre leaves of a spacing of a millimetre (2e-13).
 constexpr double kCollapsed = 1e-9;
 
-/// Low and high neighbour of a slot along weft (0) or warp (1); the slot itself where none is live.
+/// Low and high neighbour of a slot along weft (0) or warp (1); the slot itself where no yarn edge with cloth
+/// leads to one.
 std::array<std::size_t, 2> neighbours(const ClothModel& model, std::size_t slot, int direction) noexcept {
   const auto columns = static_cast<std::size_t>(model.columns), rows = static_cast<std::size_t>(model.rows);
   const std::size_t stride = direction == 0 ? 1 : columns;
   const std::size_t place = direction == 0 ? slot % columns : slot / columns;
   const std::size_t count = direction == 0 ? columns : rows;
-  const bool low = place > 0 && model.live[slot - stride] != 0;
-  const bool high = place + 1 < count && model.live[slot + stride] != 0;
+  const std::vector<double>& edges = direction == 0 ? model.weft_edge_area : model.warp_edge_area;
+  const bool low = place > 0 && edges[slot - stride] > 0.0;
+  const bool high = place + 1 < count && edges[slot] > 0.0;
   return {low ? slot - stride : slot, high ? slot + stride : slot};
 }
 

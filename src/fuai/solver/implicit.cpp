@@ -126,24 +126,60 @@ void SolverImplicit<T>::evaluate(Evaluation what) noexcept {
   add_attachments(what == Evaluation::kLinearise);
 }
 
-// Guard A: the first guess xn + dt v may hold far more energy than xn; then go back along v to where the
-// potential stops falling, by one secant step.
+/// Power of the attachments on the cloth as it moves now, at full stiffness.
 template <class T>
-void SolverImplicit<T>::start(StepReport& report) noexcept {
+double SolverImplicit<T>::attachment_power() const noexcept {
+  double power = 0.0;
+  std::size_t first = 0;
+  for (std::size_t g = 0; g < group_count_; first += groups_[g].count, ++g) {
+    for (std::size_t i = first; i < first + groups_[g].count; ++i) {
+      const Attachment& a = attachments_[i];
+      power += holds_[g].share * a.stiffness * (a.target - position(a.slot)).dot(velocity(a.slot));
+    }
+  }
+  return power;
+}
+
+/// How fast the potential of the coming step falls along v at xn [W], from the sums of the last step.
+template <class T>
+double SolverImplicit<T>::fall_at_start(double dt) const noexcept {
+  return fall_.cloth + attachment_power() + fall_.kinetic / dt + fall_.weight_power;
+}
+
+template <class T>
+void SolverImplicit<T>::finish_step(double dt) noexcept {
+  fall_.cloth = rows(kernels_->finish, constants_, step_);
+  fall_.kinetic = fall_.weight_power = 0.0;
+  for (int row = 0; row < grid_.rows; ++row) {
+    fall_.kinetic += grid_.partial_kinetic[row];
+    fall_.weight_power += grid_.partial_weight[row] / dt;
+  }
+  fall_.cloth -= attachment_power();
+  fall_.known = true;
+}
+
+// Guard A: the first guess xn + dt v may hold more energy than xn (slopes at both ends, trapezoid rule); then
+// go back along v to where the potential stops falling, by one secant step.
+template <class T>
+void SolverImplicit<T>::start(double dt, StepReport& report) noexcept {
   rows(kernels_->replace, step_.dt);
   evaluate(Evaluation::kLinearise);
   ++report.evaluations;
   if (!options_.guards) return;
-  const double fall_at_end = rows(kernels_->work_v);
-  if (!(fall_at_end < 0.0)) return;
-  rows(kernels_->replace, T(0));
-  evaluate(Evaluation::kForce);
-  const double fall_at_start = rows(kernels_->work_v);
-  const double part_way =
-      fall_at_start > 0.0 ? std::clamp(fall_at_start / (fall_at_start - fall_at_end), 0.0, 1.0) : 0.0;
+  const double at_end = rows(kernels_->work_v);
+  if (at_end >= 0.0) return;
+  double at_start = fall_at_start(dt);
+  if (!fall_.known) {
+    rows(kernels_->replace, T(0));
+    evaluate(Evaluation::kForce);
+    ++report.evaluations;
+    at_start = rows(kernels_->work_v);
+  }
+  if (fall_.known && -at_end <= at_start) return;
+  const double part_way = at_start > 0.0 ? std::clamp(at_start / (at_start - at_end), 0.0, 1.0) : 0.0;
   rows(kernels_->replace, static_cast<T>(part_way) * step_.dt);
   evaluate(Evaluation::kLinearise);
-  report.evaluations += 2;
+  ++report.evaluations;
   report.status |= StepReport::kStartedBack;
 }
 
@@ -200,6 +236,7 @@ void SolverImplicit<T>::search_back(double slope, StepReport& report) noexcept {
 
 template <class T>
 void SolverImplicit<T>::give_up() noexcept {
+  fall_.known = false;
   rows(kernels_->replace, T(0));
   // Fixed nodes too: their targets may be what was wrong.
   const ImplicitGrid<T>& g = grid_;
@@ -221,7 +258,7 @@ template <class T>
 StepReport SolverImplicit<T>::step(double dt) noexcept {
   StepReport report;
   begin_step(dt);
-  start(report);
+  start(dt, report);
   double before = rows(kernels_->square);
   for (report.linearisations = 1;; ++report.linearisations) {
     const double slope = solve(report);
@@ -240,11 +277,11 @@ StepReport SolverImplicit<T>::step(double dt) noexcept {
   if (!std::isfinite(report.residual)) {
     give_up();
     report.status |= StepReport::kNotFinite;
+    rows(kernels_->keep);
   } else {
     kernels_->commit(grid_, constants_, 0, grid_.rows);
-    rows(kernels_->finish, step_.inverse_dt);
+    finish_step(dt);
   }
-  rows(kernels_->keep);
   time_ += dt;
   return report;
 }
@@ -384,6 +421,8 @@ void SolverImplicit<T>::restore(const ClothState& state) {
     }
   }
   rows(kernels_->keep);
+  fall_ = {};
+  if (state.carried.size() == 3) fall_ = {true, state.carried[0], state.carried[1], state.carried[2]};
   time_ = state.time;
   // The strains of the edges, for their viscosity: the memory does not move, for it fits the positions
   // already.
@@ -423,6 +462,8 @@ void SolverImplicit<T>::save(ClothState& state) const {
       give(g.memory_warp_tension, constants_.warp_tension, state.warp_tension, i, p);
     }
   }
+  state.carried.clear();
+  if (fall_.known) state.carried = {fall_.cloth, fall_.kinetic, fall_.weight_power};
   state.time = time_;
 }
 

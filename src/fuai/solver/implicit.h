@@ -134,7 +134,7 @@ class SolverImplicit {
   void begin_step(double dt) noexcept;
   void evaluate(Evaluation what) noexcept;
   void add_attachments(bool linearise) noexcept;
-  void start(StepReport& report) noexcept;
+  void start(double dt, StepReport& report) noexcept;
   double solve(StepReport& report) noexcept;
   void search_back(double slope, StepReport& report) noexcept;
   void give_up() noexcept;
@@ -156,6 +156,18 @@ class SolverImplicit {
   std::vector<HoldForce> holds_;
   std::size_t group_count_ = 0;
   int columns_ = 0;
+  /// What the potential did along v at the end of the last step: guard A then need not evaluate it there.
+  struct Fall {
+    bool known = false;
+    double cloth = 0.0;         // (force of the cloth).v [W]
+    double kinetic = 0.0;       // m v.v [J]
+    double weight_power = 0.0;  // m g.v [W]
+  };
+  void finish_step(double dt) noexcept;
+  double fall_at_start(double dt) const noexcept;
+  double attachment_power() const noexcept;
+
+  Fall fall_;
   double time_ = 0.0, load_ = 1.0;
 };
 

@@ -61,9 +61,9 @@ HWY_INLINE Tension<T> tension(const ImplicitConstants<T>& k, const LawTableView<
                               std::ptrdiff_t at, const Lane3<T>& e, Lane<T> area, Lane<T> rate,
                               Lane<T> strain_n) {
   const Lane<T> square = hn::Max(dot(e, e), set(T(1e-6) * k.h * k.h));
-  const Lane<T> length = hn::Sqrt(square);
-  const Lane<T> inverse = hn::Div(set(T(1)), length);
-  const Lane3<T> u = scale(inverse, e);
+  const Lane<T> per_metre = inverse_root<T>(square);
+  const Lane<T> length = hn::Mul(square, per_metre);
+  const Lane3<T> u = scale(per_metre, e);
   Tension<T> t;
   t.strain = hn::MulSub(length, set(k.inverse_h), set(T(1)));
   const LaneResponse<T> r = evaluate_law(law, t.strain, memory, at);
@@ -71,9 +71,9 @@ HWY_INLINE Tension<T> tension(const ImplicitConstants<T>& k, const LawTableView<
   const Lane<T> per_length = hn::Mul(area, set(k.inverse_h));
   t.gradient = scale(hn::Mul(per_length, stress), u);
   // Along the yarn the tangent, across it the tension over the length; both not negative.
-  t.side = hn::Max(hn::Mul(hn::Mul(per_length, stress), inverse), hn::Zero(Tag<T>()));
+  t.side = hn::Max(hn::Mul(hn::Mul(per_length, stress), per_metre), hn::Zero(Tag<T>()));
   const Lane<T> along = hn::Mul(hn::Mul(per_length, set(k.inverse_h)), hn::Add(r.tangent, rate));
-  t.axis = scale(hn::Sqrt(hn::Max(hn::Sub(along, t.side), hn::Zero(Tag<T>()))), u);
+  t.axis = scale(root<T>(hn::Sub(along, t.side)), u);
   return t;
 }
 
@@ -89,14 +89,20 @@ HWY_INLINE Curvature<T> curvature(const ImplicitConstants<T>& k, const Lane3<T>&
   Curvature<T> c;
   c.D = D;
   c.chord = chord;
-  c.inverse_chord = hn::Div(set(T(1)), hn::Sqrt(hn::Max(dot(chord, chord), set(T(4e-4) * k.h * k.h))));
+  c.inverse_chord = inverse_root<T>(hn::Max(dot(chord, chord), set(T(4e-4) * k.h * k.h)));
   c.t = hn::Mul(dot(n, D), c.inverse_chord);
   const Lane<T> t2 = hn::Mul(c.t, c.t);
-  const Lane<T> inverse = hn::Div(set(T(1)), hn::MulAdd(set(T(9)), t2, set(T(15))));
-  c.kappa = hn::Mul(curve, hn::Mul(hn::Mul(c.t, hn::MulAdd(set(T(4)), t2, set(T(15)))), inverse));
+  const Lane<T> below = inverse<T>(hn::MulAdd(set(T(9)), t2, set(T(15))));
+  c.kappa = hn::Mul(curve, hn::Mul(hn::Mul(c.t, hn::MulAdd(set(T(4)), t2, set(T(15)))), below));
   const Lane<T> top = hn::MulAdd(hn::MulAdd(set(T(36)), t2, set(T(45))), t2, set(T(225)));
-  c.slope = hn::Mul(curve, hn::Mul(top, hn::Mul(inverse, inverse)));
+  c.slope = hn::Mul(curve, hn::Mul(top, hn::Mul(below, below)));
   return c;
+}
+
+/// 1 where the area is positive, else 0.
+template <class T>
+HWY_INLINE Lane<T> has_cloth(const T* area) {
+  return hn::IfThenElseZero(hn::Gt(load(area), hn::Zero(Tag<T>())), set(T(1)));
 }
 
 /// Bending of a row at one block of columns: gradients into U and L, strains, linearisation.
@@ -110,14 +116,14 @@ template <class T>
 HWY_INLINE BendBlock<T> bend(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, std::ptrdiff_t p,
                              const Cross<T>& edges) {
   const Lane<T> zero = hn::Zero(Tag<T>());
-  const Lane<T> e_next = load(g.live + p + 1), e_back = load(g.live + p - 1);
-  const Lane<T> n_next = load(g.live + p + g.stride), n_back = load(g.live + p - g.stride);
+  // A neighbour is one that a yarn edge with cloth leads to; the last slot of a row has none of the next row.
+  const Lane<T> e_next = has_cloth(g.weft_edge + p), e_back = has_cloth(g.weft_edge + p - 1);
+  const Lane<T> n_next = has_cloth(g.warp_edge + p), n_back = has_cloth(g.warp_edge + p - g.stride);
   const Lane3<T> a1 = scale(e_next, edges.weft_next), b1 = scale(e_back, edges.weft_back);
   const Lane3<T> a2 = scale(n_next, edges.warp_next), b2 = scale(n_back, edges.warp_back);
   const Lane3<T> T1 = add(a1, b1), T2 = add(a2, b2);
   const Lane3<T> N = cross(T1, T2);
-  const Lane<T> inverse_N =
-      hn::Div(set(T(1)), hn::Sqrt(hn::Max(dot(N, N), set(T(1e-6) * k.h * k.h * k.h * k.h))));
+  const Lane<T> inverse_N = inverse_root<T>(hn::Max(dot(N, N), set(T(1e-6) * k.h * k.h * k.h * k.h)));
   const Lane3<T> n = scale(inverse_N, N);
   const Curvature<T> c1 = curvature(k, sub(a1, b1), T1, n, load(g.weft_curve + p));
   const Curvature<T> c2 = curvature(k, sub(a2, b2), T2, n, load(g.warp_curve + p));
@@ -179,8 +185,8 @@ HWY_INLINE CellBlock<T> cell(const ImplicitGrid<T>& g, const ImplicitConstants<T
   const Lane3<T> a = scale(half, add(plus, minus)), b = scale(half, sub(plus, minus));
   const Lane<T> floor = set(T(1e-6));
   const Lane<T> one = set(T(1));
-  const Lane<T> inverse_a = hn::Div(one, hn::Sqrt(hn::Max(dot(a, a), floor)));
-  const Lane<T> inverse_b = hn::Div(one, hn::Sqrt(hn::Max(dot(b, b), floor)));
+  const Lane<T> inverse_a = inverse_root<T>(hn::Max(dot(a, a), floor));
+  const Lane<T> inverse_b = inverse_root<T>(hn::Max(dot(b, b), floor));
   const Lane3<T> ua = scale(inverse_a, a), ub = scale(inverse_b, b);
   const Lane<T> s = dot(ua, ub), s2 = hn::Mul(s, s);
   // gamma = s + s^3/6 + 3 s^5/40 + 5 s^7/112 and its slope
@@ -198,9 +204,9 @@ HWY_INLINE CellBlock<T> cell(const ImplicitGrid<T>& g, const ImplicitConstants<T
   block.P = scale(weight, gp);
   block.M = scale(weight, gm);
   block.D = scale(hn::Mul(load(g.twist_area + p), set(k.twist)), sub(add(x11, x00), add(x10, x01)));
-  const Lane<T> root = hn::Sqrt(hn::Mul(area, hn::Max(r.tangent, hn::Zero(Tag<T>()))));
-  block.plus = scale(root, gp);
-  block.minus = scale(root, gm);
+  const Lane<T> weight_root = root<T>(hn::Mul(area, r.tangent));
+  block.plus = scale(weight_root, gp);
+  block.minus = scale(weight_root, gm);
   return block;
 }
 
@@ -225,7 +231,7 @@ HWY_INLINE Lane3<T> outer_force(const ImplicitGrid<T>& g, const ImplicitConstant
   const Lane<T> rate = hn::Mul(area, set(s.inverse_dt));
   const Lane<T> speed_n = dot(n, against);
   const Lane<T> speed_t2 = hn::Max(hn::NegMulAdd(speed_n, speed_n, dot(against, against)), zero);
-  const Lane<T> tangential = hn::Mul(hn::Mul(rate, set(k.air_tangential)), hn::Sqrt(speed_t2));
+  const Lane<T> tangential = hn::Mul(hn::Mul(rate, set(k.air_tangential)), root<T>(speed_t2));
   const Lane<T> across = hn::Mul(hn::Mul(rate, set(k.air_normal)), hn::Abs(speed_n));
   const Lane<T> extra = hn::Max(hn::Sub(across, tangential), zero);
   force = neg_mul_add(tangential, slip, force);

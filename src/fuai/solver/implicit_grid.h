@@ -3,8 +3,9 @@
 // Source: docs/theory/implicit-step.md.
 //
 //   node (column, row) is number at(row) + column of every array; kPadRows rows of zeros lie before the first
-//   and after the last row, and at least one zero column after the last, so that every neighbour can be read
-//   transposed arrays (suffix _t) hold the same nodes column by column, for the lines along the weft
+//   and after the last row, so that every neighbour can be read; the neighbour of the last number of a row
+//   may be the first of the next, which elements without cloth between the two multiply by zero transposed
+//   arrays (suffix _t) hold the same nodes column by column, for the lines along the weft
 #pragma once
 
 #include <cstddef>
@@ -58,7 +59,6 @@ struct ImplicitGrid {
   int width = 0;     ///< columns rounded up to whole vectors of the widest machine: what kernels work on
   int stride_t = 0;  ///< numbers a column of the transposed arrays
   // Constant.
-  T* live = nullptr;        ///< 1 or 0
   T* mobile = nullptr;      ///< 1: live and not fixed
   T* node_area = nullptr;   ///< [m2]
   T* cell_area = nullptr;   ///< [m2]
@@ -103,6 +103,8 @@ struct ImplicitGrid {
   Field3<T> line_t;  ///< right-hand side and solution of the weft lines
   // Partial sums, one a row.
   double* partial = nullptr;
+  double* partial_kinetic = nullptr;
+  double* partial_weight = nullptr;
 
   std::ptrdiff_t at(int row) const noexcept { return static_cast<std::ptrdiff_t>(row + kPadRows) * stride; }
   std::ptrdiff_t at_t(int column) const noexcept {

@@ -61,8 +61,10 @@ struct ImplicitKernels {
   void (*work_v)(const Grid&, int begin, int end);
   /// partial = force.force over mobile nodes.
   void (*square)(const Grid&, int begin, int end);
-  /// v = (x - xn) / dt.
-  void (*finish)(const Grid&, T inverse_dt, int begin, int end);
+  /// v = (x - xn) / dt, xn = x; over mobile nodes partial = (force of the cloth).v without inertia and
+  /// weight, partial_kinetic = m v.v, partial_weight = dt m g.v.
+  void (*finish)(const Grid&, const ImplicitConstants<T>&, const ImplicitStepConstants<T>&, int begin,
+                 int end);
   /// Numbers of scratch that evaluate and multiply need.
   int (*scratch_size)(const Grid&);
   const char* target = "";  ///< name of the instruction set

@@ -8,9 +8,10 @@
 #endif
 
 #include <cstddef>
+#include <cstdint>
 
+#include <hwy/highway.h>
 #include "fuai/solver/implicit_grid.h"
-#include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace fuai {
@@ -92,14 +93,62 @@ HWY_INLINE Lane3<T> cross(const Lane3<T>& a, const Lane3<T>& b) {
           hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
 }
 
-/// Squared lengths below this count as this, so that a collapsed element gives no force instead of NaN [m2].
+/// 1 / sqrt(x) of a positive x: in float the processor's estimate and one Newton step, 1e-7 relative.
 template <class T>
-inline constexpr T kLeastSquare = T(1e-18);
+HWY_INLINE Lane<T> inverse_root(Lane<T> x) {
+  if constexpr (sizeof(T) == 4) {
+    const Lane<T> y = hn::ApproximateReciprocalSqrt(x);
+    const Lane<T> half = hn::Mul(hn::Mul(set(T(0.5)), x), y);
+    return hn::Mul(y, hn::NegMulAdd(half, y, set(T(1.5))));
+  } else {
+    return hn::Div(set(T(1)), hn::Sqrt(x));
+  }
+}
+/// 1 / x, the same way.
+template <class T>
+HWY_INLINE Lane<T> inverse(Lane<T> x) {
+  if constexpr (sizeof(T) == 4) {
+    const Lane<T> y = hn::ApproximateReciprocal(x);
+    return hn::Mul(y, hn::NegMulAdd(x, y, set(T(2))));
+  } else {
+    return hn::Div(set(T(1)), x);
+  }
+}
+/// sqrt(x), 0 for what is not positive.
+template <class T>
+HWY_INLINE Lane<T> root(Lane<T> x) {
+  const Lane<T> held = hn::Max(x, set(T(1e-30)));
+  return hn::Mul(hn::Max(x, hn::Zero(Tag<T>())), inverse_root<T>(held));
+}
 
-/// 1 / sqrt(square), finite for a collapsed element.
+/// The four numbers of a piece.
 template <class T>
-HWY_INLINE Lane<T> inverse_length(Lane<T> square) {
-  return hn::Div(set(T(1)), hn::Sqrt(hn::Max(square, set(kLeastSquare<T>))));
+struct LanePiece {
+  Lane<T> F, dF, Y, dY;
+};
+/// In float two numbers a look-up: half the accesses.
+template <class T>
+HWY_INLINE LanePiece<T> gather_piece(const T* pieces, hn::Vec<hn::RebindToSigned<Tag<T>>> index) {
+  const Tag<T> d;
+#if HWY_TARGET != HWY_SCALAR
+  if constexpr (sizeof(T) == 4) {
+    const hn::Repartition<std::uint64_t, Tag<T>> d2;
+    const hn::RebindToSigned<decltype(d2)> di2;
+    const auto low = hn::ShiftLeft<1>(hn::PromoteTo(di2, hn::LowerHalf(index)));
+    const auto high =
+        hn::ShiftLeft<1>(hn::PromoteTo(di2, hn::UpperHalf(hn::Half<hn::RebindToSigned<Tag<T>>>(), index)));
+    const auto* pairs = reinterpret_cast<const std::uint64_t*>(pieces);
+    const auto F_low = hn::BitCast(d, hn::GatherIndex(d2, pairs, low));
+    const auto F_high = hn::BitCast(d, hn::GatherIndex(d2, pairs, high));
+    const auto Y_low = hn::BitCast(d, hn::GatherIndex(d2, pairs + 1, low));
+    const auto Y_high = hn::BitCast(d, hn::GatherIndex(d2, pairs + 1, high));
+    return {hn::ConcatEven(d, F_high, F_low), hn::ConcatOdd(d, F_high, F_low),
+            hn::ConcatEven(d, Y_high, Y_low), hn::ConcatOdd(d, Y_high, Y_low)};
+  }
+#endif
+  const auto at = hn::ShiftLeft<2>(index);
+  return {hn::GatherIndex(d, pieces, at), hn::GatherIndex(d, pieces + 1, at),
+          hn::GatherIndex(d, pieces + 2, at), hn::GatherIndex(d, pieces + 3, at)};
 }
 
 /// Stress and tangent of a play law.
@@ -124,26 +173,27 @@ HWY_INLINE LaneResponse<T> evaluate_law(const LawTableView<T>& law, Lane<T> stra
     S = hn::MulAdd(w, held, S);
     stick = hn::Add(stick, hn::IfThenElseZero(hn::Eq(s, held), hn::Mul(w, set(law.inverse_radius[j]))));
   }
+  const auto outside = hn::Or(hn::Lt(strain, set(law.low)), hn::Gt(strain, set(law.high)));
+  if (law.straight && hn::AllFalse(d, outside)) {
+    return {hn::MulAdd(set(law.strength), S, hn::MulAdd(set(law.slope), strain, set(law.offset))),
+            hn::MulAdd(set(law.strength), stick, set(law.slope))};
+  }
   // Where the strain lies on the table: u, the piece's number and the strain beyond its start.
   const Lane<T> inner =
       hn::Min(hn::Max(hn::Mul(hn::Sub(strain, set(law.low)), set(law.inverse_step)), zero), set(law.count));
   const Lane<T> above = hn::Max(hn::Mul(hn::Sub(strain, set(law.high)), set(law.inverse_step_high)), zero);
   const Lane<T> below = hn::Max(hn::Mul(hn::Sub(set(law.low), strain), set(law.inverse_step_low)), zero);
   const Lane<T> u = hn::Sub(hn::Add(inner, above), below);
-  const Lane<T> piece = hn::Min(hn::Max(hn::Floor(u), set(law.first_index)), set(law.last_index));
-  const auto is_above = hn::Ge(piece, set(law.count));
-  const auto is_below = hn::Lt(piece, zero);
+  const Lane<T> number = hn::Min(hn::Max(hn::Floor(u), set(law.first_index)), set(law.last_index));
+  const auto is_above = hn::Ge(number, set(law.count));
+  const auto is_below = hn::Lt(number, zero);
   const Lane<T> step = hn::IfThenElse(is_above, set(law.step_high),
                                       hn::IfThenElse(is_below, set(law.step_low), set(law.step)));
-  const Lane<T> beyond = hn::Mul(hn::Sub(u, piece), step);
-  const auto index = hn::ShiftLeft<2>(hn::ConvertTo(di, piece));
-  const Lane<T> F = hn::GatherIndex(d, law.pieces, index);
-  const Lane<T> dF = hn::GatherIndex(d, law.pieces + 1, index);
-  const Lane<T> Y = hn::GatherIndex(d, law.pieces + 2, index);
-  const Lane<T> dY = hn::GatherIndex(d, law.pieces + 3, index);
-  const Lane<T> strength = hn::MulAdd(dY, beyond, Y);
-  return {hn::MulAdd(strength, S, hn::MulAdd(dF, beyond, F)),
-          hn::MulAdd(strength, stick, hn::MulAdd(dY, S, dF))};
+  const Lane<T> beyond = hn::Mul(hn::Sub(u, number), step);
+  const LanePiece<T> piece = gather_piece<T>(law.pieces, hn::ConvertTo(di, number));
+  const Lane<T> strength = hn::MulAdd(piece.dY, beyond, piece.Y);
+  return {hn::MulAdd(strength, S, hn::MulAdd(piece.dF, beyond, piece.F)),
+          hn::MulAdd(strength, stick, hn::MulAdd(piece.dY, S, piece.dF))};
 }
 
 /// Sum of the products of two vectors over the lanes, added to a running sum in lanes.

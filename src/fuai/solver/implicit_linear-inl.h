@@ -173,27 +173,93 @@ HWY_INLINE Block<T> only_mobile(Lane<T> mobile, const Block<T>& b) {
   return add_isotropic(hn::Sub(set(T(1)), mobile), scale_block(mobile, b));
 }
 
-/// Writes a tile of lanes x lanes numbers, stored with `pitch` numbers a row, transposed.
+#if HWY_TARGET == HWY_SCALAR
 template <class T>
-HWY_INLINE void store_transposed(const T* tile, std::ptrdiff_t pitch, T* to, std::ptrdiff_t to_pitch) {
-  const hn::RebindToSigned<Tag<T>> di;
-  using I = hn::TFromD<decltype(di)>;
-  const int lanes = lanes_of<T>();
-  const auto index = hn::Mul(hn::Iota(di, I(0)), hn::Set(di, static_cast<I>(pitch)));
-  for (int j = 0; j < lanes; ++j) store(hn::GatherIndex(Tag<T>(), tile + j, index), to + j * to_pitch);
+HWY_INLINE void store_transposed(const T* tile, std::ptrdiff_t, T* to, std::ptrdiff_t) {
+  *to = *tile;
+}
+#else
+/// Transposes kInBlock rows within every block of 16 bytes.
+template <class T, int kInBlock>
+HWY_INLINE void turn_in_blocks(const T* rows, std::ptrdiff_t pitch, Lane<T>* out) {
+  const Tag<T> d;
+  if constexpr (kInBlock == 1) {
+    out[0] = load(rows);
+  } else if constexpr (kInBlock == 2) {
+    const Lane<T> a = load(rows), b = load(rows + pitch);
+    out[0] = hn::InterleaveLower(d, a, b);
+    out[1] = hn::InterleaveUpper(d, a, b);
+  } else {
+    const hn::Repartition<std::uint64_t, Tag<T>> d2;
+    const Lane<T> r0 = load(rows), r1 = load(rows + pitch), r2 = load(rows + 2 * pitch),
+                  r3 = load(rows + 3 * pitch);
+    const auto a = hn::BitCast(d2, hn::InterleaveLower(d, r0, r1));  // r0.0 r1.0 r0.1 r1.1
+    const auto b = hn::BitCast(d2, hn::InterleaveUpper(d, r0, r1));
+    const auto c = hn::BitCast(d2, hn::InterleaveLower(d, r2, r3));
+    const auto e = hn::BitCast(d2, hn::InterleaveUpper(d, r2, r3));
+    out[0] = hn::BitCast(d, hn::InterleaveLower(d2, a, c));
+    out[1] = hn::BitCast(d, hn::InterleaveUpper(d2, a, c));
+    out[2] = hn::BitCast(d, hn::InterleaveLower(d2, b, e));
+    out[3] = hn::BitCast(d, hn::InterleaveUpper(d2, b, e));
+  }
 }
 
-/// Widest vector in numbers, and the pitch of a tile of that many columns.
+/// Transposes kBlocks vectors, `kInBlock` apart, taken as rows of blocks of 16 bytes.
+template <class T, int kInBlock, int kBlocks>
+HWY_INLINE void turn_blocks(const Lane<T>* v, Lane<T>* out) {
+  if constexpr (kBlocks == 1) {
+    out[0] = v[0];
+  } else {
+    const Tag<T> d;
+    const auto even = [](Lane<T> a, Lane<T> b) HWY_ATTR {
+      return hn::OddEvenBlocks(hn::SwapAdjacentBlocks(b), a);  // a0 b0 a2 b2
+    };
+    const auto odd = [](Lane<T> a, Lane<T> b) HWY_ATTR {
+      return hn::OddEvenBlocks(b, hn::SwapAdjacentBlocks(a));  // a1 b1 a3 b3
+    };
+    const Lane<T> e0 = even(v[0], v[kInBlock]), o0 = odd(v[0], v[kInBlock]);
+    if constexpr (kBlocks == 2) {
+      out[0] = e0;
+      out[1] = o0;
+    } else {
+      const Lane<T> e1 = even(v[2 * kInBlock], v[3 * kInBlock]), o1 = odd(v[2 * kInBlock], v[3 * kInBlock]);
+      out[0] = hn::ConcatLowerLower(d, e1, e0);
+      out[1] = hn::ConcatLowerLower(d, o1, o0);
+      out[2] = hn::ConcatUpperUpper(d, e1, e0);
+      out[3] = hn::ConcatUpperUpper(d, o1, o0);
+    }
+  }
+}
+
+/// Writes a tile of lanes x lanes numbers, stored with `pitch` numbers a row, transposed: within 16 bytes by
+/// interleaving, between them by moving whole blocks of 16 bytes.
+template <class T>
+HWY_INLINE void store_transposed(const T* tile, std::ptrdiff_t pitch, T* to, std::ptrdiff_t to_pitch) {
+  constexpr int kLanes = static_cast<int>(hn::MaxLanes(Tag<T>()));
+  constexpr int kInBlock =
+      kLanes < static_cast<int>(16 / sizeof(T)) ? kLanes : static_cast<int>(16 / sizeof(T));
+  constexpr int kBlocks = kLanes / kInBlock;
+  // v[g * kInBlock + j]: block b holds column kInBlock b + j of the rows of group g.
+  Lane<T> v[kLanes];
+  for (int g = 0; g < kBlocks; ++g)
+    turn_in_blocks<T, kInBlock>(tile + g * kInBlock * pitch, pitch, v + g * kInBlock);
+  for (int j = 0; j < kInBlock; ++j) {
+    Lane<T> columns[kBlocks];
+    turn_blocks<T, kInBlock, kBlocks>(v + j, columns);
+    for (int b = 0; b < kBlocks; ++b) store(columns[b], to + (kInBlock * b + j) * to_pitch);
+  }
+}
+#endif  // one lane or more
+
+/// Widest vector in numbers: the pitch of a tile.
 template <class T>
 inline constexpr int kTile = static_cast<int>(kVectorBytes / sizeof(T));
-template <class T>
-inline constexpr int kPitch = kTile<T> + 1;
 
 template <class T>
 void assemble_vectors(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, bool links, int begin,
                       int end) {
   const int lanes = lanes_of<T>();
-  HWY_ALIGN T tile[12][kTile<T> * kPitch<T>];
+  HWY_ALIGN T tile[12][kTile<T> * kTile<T>];
   for (int r0 = begin * lanes; r0 < end * lanes; r0 += lanes) {
     for (int c = 0; c < g.width; c += lanes) {
       for (int i = 0; i < lanes; ++i) {
@@ -210,13 +276,13 @@ void assemble_vectors(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, b
         store_block(only_mobile<T>(mobile, warp), g.warp_inverse, p);
         store_block(warp_link, g.warp_link, p);
         T* rows[12];
-        for (int f = 0; f < 12; ++f) rows[f] = tile[f] + i * kPitch<T>;
+        for (int f = 0; f < 12; ++f) rows[f] = tile[f] + i * kTile<T>;
         store_block(only_mobile<T>(mobile, weft), rows, 0);
         store_block(weft_link, rows + 6, 0);
       }
       for (int f = 0; f < 6; ++f) {
-        store_transposed(tile[f], kPitch<T>, g.weft_inverse_t[f] + g.at_t(c) + r0, g.stride_t);
-        store_transposed(tile[f + 6], kPitch<T>, g.weft_link_t[f] + g.at_t(c) + r0, g.stride_t);
+        store_transposed(tile[f], kTile<T>, g.weft_inverse_t[f] + g.at_t(c) + r0, g.stride_t);
+        store_transposed(tile[f + 6], kTile<T>, g.weft_link_t[f] + g.at_t(c) + r0, g.stride_t);
       }
     }
   }

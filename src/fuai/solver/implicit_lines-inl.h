@@ -11,6 +11,8 @@
 #define FUAI_IMPLICIT_LINES_INL_H_
 #endif
 
+#include <type_traits>
+
 #include "fuai/solver/implicit_linear-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -35,15 +37,14 @@ HWY_INLINE Lane3<T> apply_add(const Block<T>& b, const Lane3<T>& a, const Lane3<
 /// cancel.
 template <class T>
 HWY_INLINE Block<T> invert(const Block<T>& b) {
-  const Lane<T> one = set(T(1));
   const Lane<T> least = hn::Mul(set(T(1e-6)), hn::Add(b.xx, hn::Add(b.yy, b.zz)));
-  const Lane<T> i1 = hn::Div(one, hn::Max(b.xx, least));
+  const Lane<T> i1 = inverse<T>(hn::Max(b.xx, least));
   const Lane<T> l21 = hn::Mul(b.xy, i1), l31 = hn::Mul(b.xz, i1);
-  const Lane<T> i2 = hn::Div(one, hn::Max(hn::NegMulAdd(l21, b.xy, b.yy), least));
+  const Lane<T> i2 = inverse<T>(hn::Max(hn::NegMulAdd(l21, b.xy, b.yy), least));
   const Lane<T> m32 = hn::NegMulAdd(l21, b.xz, b.yz);
   const Lane<T> l32 = hn::Mul(m32, i2);
   const Lane<T> d3 = hn::NegMulAdd(l32, m32, hn::NegMulAdd(l31, b.xz, b.zz));
-  const Lane<T> i3 = hn::Div(one, hn::Max(d3, least));
+  const Lane<T> i3 = inverse<T>(hn::Max(d3, least));
   // Rows of L^-1: (1, 0, 0), (-l21, 1, 0), (m31, -l32, 1)
   const Lane<T> m31 = hn::MulSub(l21, l32, l31);
   Block<T> r;
@@ -67,56 +68,85 @@ HWY_INLINE Block<T> subtract_sandwich(const Block<T>& d, const Block<T>& c, cons
           hn::Sub(d.yy, dot(cy, y)), hn::Sub(d.yz, dot(cy, z)), hn::Sub(d.zz, dot(cz, z))};
 }
 
-/// Factors `count` nodes of a vector of lines, the first at `start`, the next `pitch` numbers on.
-template <class T>
-HWY_INLINE void factor_line(T* const* inverse, T* const* link, std::ptrdiff_t start, std::ptrdiff_t pitch,
-                            int count) {
-  Block<T> e = invert(load_block(inverse, start));
-  store_block(e, inverse, start);
+/// Vectors of lines that are worked on side by side: their chains of dependent products overlap, and rows are
+/// read in the order they are stored.
+inline constexpr int kBeside = 4;
+
+/// Calls with 4, then 2, then 1 vectors of lines from `begin` to `end`.
+template <class Work>
+HWY_INLINE void in_groups(int begin, int end, const Work& work) {
+  int i = begin;
+  for (; i + kBeside <= end; i += kBeside) work(i, std::integral_constant<int, kBeside>());
+  for (; i + 2 <= end; i += 2) work(i, std::integral_constant<int, 2>());
+  for (; i < end; ++i) work(i, std::integral_constant<int, 1>());
+}
+
+/// Factors `count` nodes of kCount vectors of lines, the first at `start`, the next node `pitch` numbers on.
+template <int kCount, class T>
+HWY_INLINE void factor_lines(T* const* inverse, T* const* link, std::ptrdiff_t start, std::ptrdiff_t pitch,
+                             int count) {
+  const int lanes = lanes_of<T>();
+  Block<T> e[kCount];
+  for (int v = 0; v < kCount; ++v) {
+    e[v] = invert(load_block(inverse, start + v * lanes));
+    store_block(e[v], inverse, start + v * lanes);
+  }
   for (int i = 1; i < count; ++i) {
-    const std::ptrdiff_t p = start + i * pitch;
-    e = invert(subtract_sandwich(load_block(inverse, p), load_block(link, p - pitch), e));
-    store_block(e, inverse, p);
+    for (int v = 0; v < kCount; ++v) {
+      const std::ptrdiff_t p = start + i * pitch + v * lanes;
+      e[v] = invert(subtract_sandwich(load_block(inverse, p), load_block(link, p - pitch), e[v]));
+      store_block(e[v], inverse, p);
+    }
   }
 }
 
 template <class T>
 void factor_warp_vectors(const ImplicitGrid<T>& g, int begin, int end) {
-  const int lanes = lanes_of<T>();
-  for (int i = begin; i < end; ++i)
-    factor_line(g.warp_inverse, g.warp_link, g.at(0) + i * lanes, g.stride, g.rows);
+  in_groups(begin, end, [&](int i, auto count) HWY_ATTR {
+    factor_lines<decltype(count)::value>(g.warp_inverse, g.warp_link, g.at(0) + i * lanes_of<T>(), g.stride,
+                                         g.rows);
+  });
 }
 template <class T>
 void factor_weft_vectors(const ImplicitGrid<T>& g, int begin, int end) {
-  const int lanes = lanes_of<T>();
-  for (int i = begin; i < end; ++i)
-    factor_line(g.weft_inverse_t, g.weft_link_t, g.at_t(0) + i * lanes, g.stride_t, g.columns);
+  in_groups(begin, end, [&](int i, auto count) HWY_ATTR {
+    factor_lines<decltype(count)::value>(g.weft_inverse_t, g.weft_link_t, g.at_t(0) + i * lanes_of<T>(),
+                                         g.stride_t, g.columns);
+  });
 }
 
-/// Solves a vector of lines: `from` and `to` may be the same field.
-template <class T>
-HWY_INLINE void solve_line(T* const* inverse, T* const* link, const Field3<T>& from, const Field3<T>& to,
-                           std::ptrdiff_t start, std::ptrdiff_t pitch, int count) {
-  Lane3<T> w = apply(load_block(inverse, start), load3(from, start));
-  store3(w, to, start);
+/// Solves kCount vectors of lines: `from` and `to` may be the same field.
+template <int kCount, class T>
+HWY_INLINE void solve_lines(T* const* inverse, T* const* link, const Field3<T>& from, const Field3<T>& to,
+                            std::ptrdiff_t start, std::ptrdiff_t pitch, int count) {
+  const int lanes = lanes_of<T>();
+  Lane3<T> w[kCount];
+  for (int v = 0; v < kCount; ++v) {
+    w[v] = apply(load_block(inverse, start + v * lanes), load3(from, start + v * lanes));
+    store3(w[v], to, start + v * lanes);
+  }
   for (int i = 1; i < count; ++i) {
-    const std::ptrdiff_t p = start + i * pitch;
-    const Lane3<T> f = apply_add(load_block(link, p - pitch), w, load3(from, p));
-    w = apply(load_block(inverse, p), f);
-    store3(w, to, p);
+    for (int v = 0; v < kCount; ++v) {
+      const std::ptrdiff_t p = start + i * pitch + v * lanes;
+      w[v] = apply(load_block(inverse, p), apply_add(load_block(link, p - pitch), w[v], load3(from, p)));
+      store3(w[v], to, p);
+    }
   }
   for (int i = count - 2; i >= 0; --i) {
-    const std::ptrdiff_t p = start + i * pitch;
-    w = apply_add(load_block(inverse, p), apply(load_block(link, p), w), load3(to, p));
-    store3(w, to, p);
+    for (int v = 0; v < kCount; ++v) {
+      const std::ptrdiff_t p = start + i * pitch + v * lanes;
+      w[v] = apply_add(load_block(inverse, p), apply(load_block(link, p), w[v]), load3(to, p));
+      store3(w[v], to, p);
+    }
   }
 }
 
 template <class T>
 void solve_warp_vectors(const ImplicitGrid<T>& g, int begin, int end) {
-  const int lanes = lanes_of<T>();
-  for (int i = begin; i < end; ++i)
-    solve_line(g.warp_inverse, g.warp_link, g.force, g.q, g.at(0) + i * lanes, g.stride, g.rows);
+  in_groups(begin, end, [&](int i, auto count) HWY_ATTR {
+    solve_lines<decltype(count)::value>(g.warp_inverse, g.warp_link, g.force, g.q,
+                                        g.at(0) + i * lanes_of<T>(), g.stride, g.rows);
+  });
 }
 
 template <class T>
@@ -124,16 +154,18 @@ void solve_weft_vectors(const ImplicitGrid<T>& g, int begin, int end) {
   const int lanes = lanes_of<T>();
   const Field3<T>& from = g.force;
   const Field3<T>& to = g.line_t;
-  for (int i = begin; i < end; ++i) {
-    const int r0 = i * lanes;
-    for (int c = 0; c < g.columns; c += lanes) {
+  for (int c = 0; c < g.columns; c += lanes) {
+    for (int r0 = begin * lanes; r0 < end * lanes; r0 += lanes) {
       const std::ptrdiff_t p = g.at(r0) + c, t = g.at_t(c) + r0;
       store_transposed(from.x + p, g.stride, to.x + t, g.stride_t);
       store_transposed(from.y + p, g.stride, to.y + t, g.stride_t);
       store_transposed(from.z + p, g.stride, to.z + t, g.stride_t);
     }
-    solve_line(g.weft_inverse_t, g.weft_link_t, to, to, g.at_t(0) + r0, g.stride_t, g.columns);
   }
+  in_groups(begin, end, [&](int i, auto count) HWY_ATTR {
+    solve_lines<decltype(count)::value>(g.weft_inverse_t, g.weft_link_t, to, to, g.at_t(0) + i * lanes,
+                                        g.stride_t, g.columns);
+  });
 }
 
 template <class T>

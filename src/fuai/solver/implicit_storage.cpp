@@ -21,7 +21,10 @@ void ImplicitStorage<T>::Free::operator()(T* block) const noexcept {
 template <class T>
 T* ImplicitStorage<T>::take(std::size_t numbers) {
   T* start = block_ ? block_.get() + used_ : nullptr;
-  used_ += numbers;
+  // Arrays start at odd multiples of a cache line from one another, or the same number of each would fall
+  // into the same few sets of the cache.
+  const std::size_t line = kVectorBytes / sizeof(T), lines = (numbers + line - 1) / line;
+  used_ += (lines % 2 == 0 ? lines + 5 : lines + 4) * line;
   return start;
 }
 
@@ -30,7 +33,7 @@ void ImplicitStorage<T>::lay_out(bool poisson) {
   ImplicitGrid<T>& g = grid_;
   const auto vector = static_cast<int>(kVectorBytes / sizeof(T));
   g.width = round_up(g.columns, vector);
-  g.stride = round_up(g.columns + 1, vector);
+  g.stride = g.width;
   padded_rows_ = round_up(g.rows, vector);
   g.stride_t = padded_rows_;
   const auto field =
@@ -46,8 +49,8 @@ void ImplicitStorage<T>::lay_out(bool poisson) {
     to.z = take(field);
   };
   for (T** to :
-       {&g.live, &g.mobile, &g.node_area, &g.cell_area, &g.twist_area, &g.weft_edge, &g.warp_edge,
-        &g.weft_bend, &g.warp_bend, &g.weft_curve, &g.warp_curve, &g.weft_strain_n, &g.warp_strain_n})
+       {&g.mobile, &g.node_area, &g.cell_area, &g.twist_area, &g.weft_edge, &g.warp_edge, &g.weft_bend,
+        &g.warp_bend, &g.weft_curve, &g.warp_curve, &g.weft_strain_n, &g.warp_strain_n})
     one(*to);
   for (Field3<T>* to : {&g.x, &g.v, &g.xn, &g.force, &g.d, &g.p, &g.q}) three(*to);
   const auto memory = [&](T** to, const LawTableView<T>& law) {
@@ -105,7 +108,6 @@ void ImplicitStorage<T>::fill_arrays(const ClothModel& model) {
       const auto i = static_cast<std::size_t>(model.slot(column, row));
       const std::ptrdiff_t p = g.at(row) + column;
       const bool live = model.live[i] != 0;
-      g.live[p] = live ? T(1) : T(0);
       g.mobile[p] = live && model.fixed[i] == 0 ? T(1) : T(0);
       g.node_area[p] = static_cast<T>(model.node_area[i]);
       g.cell_area[p] = static_cast<T>(model.cell_area[i]);
@@ -131,8 +133,11 @@ ImplicitStorage<T>::ImplicitStorage(const ClothModel& model, const ClothMaterial
   block_.reset(static_cast<T*>(::operator new[](size_ * sizeof(T), std::align_val_t(kVectorBytes))));
   std::memset(static_cast<void*>(block_.get()), 0, size_ * sizeof(T));
   lay_out(poisson);  // takes
-  partial_.assign(static_cast<std::size_t>(padded_rows_), 0.0);
+  const auto rows = static_cast<std::size_t>(padded_rows_);
+  partial_.assign(3 * rows, 0.0);
   grid_.partial = partial_.data();
+  grid_.partial_kinetic = grid_.partial + rows;
+  grid_.partial_weight = grid_.partial_kinetic + rows;
   fill_arrays(model);
 }
 

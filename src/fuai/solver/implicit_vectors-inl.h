@@ -146,13 +146,31 @@ void square_rows(const ImplicitGrid<T>& g, int begin, int end) {
 }
 
 template <class T>
-void finish_rows(const ImplicitGrid<T>& g, T inverse_dt, int begin, int end) {
+void finish_rows(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, const ImplicitStepConstants<T>& s,
+                 int begin, int end) {
   const int lanes = lanes_of<T>();
+  const Lane<T> zero = hn::Zero(Tag<T>());
+  const Lane3<T> gravity_dt = {set(s.gravity_dt[0]), set(s.gravity_dt[1]), set(s.gravity_dt[2])};
   for (int row = begin; row < end; ++row) {
+    Lane<T> inner = zero, kinetic = zero, weight = zero;
     for (int c = 0; c < g.width; c += lanes) {
       const std::ptrdiff_t p = g.at(row) + c;
-      store3(scale(set(inverse_dt), sub(load3(g.x, p), load3(g.xn, p))), g.v, p);
+      const Lane3<T> x = load3(g.x, p), moved = sub(x, load3(g.xn, p));
+      const Lane3<T> v = scale(set(s.inverse_dt), moved);
+      const Lane<T> mass = hn::Mul(hn::Mul(load(g.node_area + p), load(g.mobile + p)), set(k.areal_mass));
+      // The force without inertia and weight: what the cloth itself does.
+      const Lane3<T> push = sub(scale(set(s.velocity_gain), add(load3(g.v, p), gravity_dt)), moved);
+      const Lane3<T> force =
+          neg_mul_add(hn::Mul(mass, set(s.inertia)), push, scale(load(g.mobile + p), load3(g.force, p)));
+      inner = add_dot<T>(force, v, inner);
+      kinetic = add_dot<T>(scale(mass, v), v, kinetic);
+      weight = add_dot<T>(scale(mass, v), gravity_dt, weight);
+      store3(v, g.v, p);
+      store3(x, g.xn, p);
     }
+    g.partial[row] = sum_of_lanes<T>(inner);
+    g.partial_kinetic[row] = sum_of_lanes<T>(kinetic);
+    g.partial_weight[row] = sum_of_lanes<T>(weight);
   }
 }
 

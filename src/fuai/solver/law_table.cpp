@@ -22,6 +22,17 @@ std::size_t refinement(const CurveTable& curve) {
   return (kFewestPieces + cells - 1) / cells;
 }
 
+/// Whether a curve is one straight line between its ends, to rounding.
+bool is_straight(const CurveTable& curve) {
+  const double low = curve.nodes().front(), rise = curve.nodes().back() - low;
+  const double size = std::max(std::abs(low), std::abs(curve.nodes().back()));
+  for (std::size_t i = 0; i < curve.node_count(); ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(curve.node_count() - 1);
+    if (std::abs(curve.nodes()[i] - low - part * rise) > 1e-12 * size) return false;
+  }
+  return true;
+}
+
 /// End of the sampled region beyond one end of the measured range.
 double outer_end(const CurveTable& curve, double end, double side) {
   const Extrapolation& rule = curve.extrapolation();
@@ -72,6 +83,14 @@ LawTable<T>::LawTable(const PlayLaw& law) {
     const double y0 = friction.evaluate(x0).value, y1 = friction.evaluate(x1).value;
     for (double value : {f0, (f1 - f0) / width, y0, (y1 - y0) / width})
       pieces_.push_back(static_cast<T>(value));
+  }
+  if (is_straight(elastic) && friction.node_count() > 1 && is_straight(friction) &&
+      friction.nodes().front() == friction.nodes().back()) {
+    const double slope = (elastic.nodes().back() - elastic.nodes().front()) / (high - low);
+    v.straight = true;
+    v.slope = static_cast<T>(slope);
+    v.offset = static_cast<T>(elastic.nodes().front() - slope * low);
+    v.strength = static_cast<T>(friction.nodes().front());
   }
   v.low = static_cast<T>(low);
   v.high = static_cast<T>(high);

@@ -24,7 +24,10 @@ struct LawTableView {
   T inverse_step = 1, inverse_step_low = 1, inverse_step_high = 1;  ///< their reciprocals
   T count = 0;                                                      ///< N
   T first_index = 0, last_index = 0;                                ///< -(M + 1), N + M
-  int plays = 0;                                                    ///< play elements
+  bool straight =
+      false;  ///< inside the measured range F = offset + slope x and Y = strength: no look-up needed
+  T offset = 0, slope = 0, strength = 0;
+  int plays = 0;  ///< play elements
   T radius[kMaxPlays] = {};
   T inverse_radius[kMaxPlays] = {};
   T weight[kMaxPlays] = {};

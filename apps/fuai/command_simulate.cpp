@@ -1,0 +1,245 @@
+// `fuai simulate`: a scene of the engine in time, its figures, and a record of every tick.
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "commands.h"
+#include "fuai/core/error.h"
+#include "fuai/core/hash.h"
+#include "fuai/io/fabric_library.h"
+#include "fuai/io/text_file.h"
+#include "scene_options.h"
+
+namespace fuai_app {
+
+using namespace fuai;
+
+namespace {
+
+constexpr double kLeastStep = 1e-6, kMostStep = 1.0;  // [s]
+/// Ticks of a record: 160 MB of text.
+constexpr std::int64_t kMostRecorded = 1'000'000;
+constexpr const char* kRecordHead =
+    "time_s,hand_x_m,hand_y_m,hand_z_m,force_x_N,force_y_N,force_z_N,moment_x_Nm,moment_y_Nm,moment_z_Nm,"
+    "status,residual_N\n";
+
+struct StatusWord {
+  std::uint32_t bit;
+  const char* word;
+  const char* key;
+};
+constexpr std::array kStatusWords{
+    StatusWord{StepReport::kNotFinite, "not finite", "not_finite"},
+    StatusWord{StepReport::kStartedBack, "started back", "started_back"},
+    StatusWord{StepReport::kShortened, "shortened", "shortened"},
+};
+
+/// "fine", or the words of all bits joined by "+".
+std::string status_words(std::uint32_t status) {
+  std::string words;
+  for (const StatusWord& s : kStatusWords)
+    if ((status & s.bit) != 0) words += (words.empty() ? "" : "+") + std::string(s.word);
+  return words.empty() ? "fine" : words;
+}
+
+/// What a run is to be.
+struct Plan {
+  double dt = 0.0;
+  std::int64_t steps = 0;
+  bool record = false;
+};
+
+/// What a run was.
+struct Run {
+  SimulationReading reading;
+  GraspReading hand;           ///< the first, after the last step
+  double most_force = 0.0;     ///< of the first hand [N]
+  std::int64_t saturated = 0;  ///< ticks in which a hand slipped
+  std::uint32_t status = 0;    ///< all bits of all ticks
+  std::array<std::int64_t, kStatusWords.size()> status_ticks{};
+  double residual = 0.0;       ///< after the last step [N]
+  std::vector<float> step_us;  ///< sorted
+  std::string record;
+  const char* target = "";
+};
+
+void note(Run& run, const StepReport& report) {
+  run.status |= report.status;
+  run.residual = report.residual;
+  for (std::size_t i = 0; i < kStatusWords.size(); ++i)
+    run.status_ticks[i] += (report.status & kStatusWords[i].bit) != 0 ? 1 : 0;
+}
+
+/// One line of the record; cells of a hand that does not hold stay empty.
+void add_row(std::string& record, double time, const Vec3& hand, const GraspReading& reading,
+             const StepReport& report) {
+  char text[400];
+  if (reading.holds) {
+    std::snprintf(text, sizeof text, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,", time, hand.x(),
+                  hand.y(), hand.z(), reading.force.x(), reading.force.y(), reading.force.z(),
+                  reading.moment.x(), reading.moment.y(), reading.moment.z());
+  } else {
+    std::snprintf(text, sizeof text, "%.9g,,,,,,,,,,", time);
+  }
+  record += text;
+  std::snprintf(text, sizeof text, "%s,%.9g\n", status_words(report.status).c_str(), report.residual);
+  record += text;
+}
+
+template <class T>
+Run run_scene_of(const EngineScene& scene, const Plan& plan, const Progress& progress) {
+  using Clock = std::chrono::steady_clock;
+  SceneRunner<T> runner(scene);
+  Run run;
+  run.step_us.reserve(static_cast<std::size_t>(plan.steps));
+  if (plan.record) run.record = kRecordHead;
+  for (std::int64_t i = 0; i < plan.steps; ++i) {
+    const Clock::time_point begin = Clock::now();
+    const StepReport report = runner.step(plan.dt);
+    run.step_us.push_back(std::chrono::duration<float, std::micro>(Clock::now() - begin).count());
+    note(run, report);
+    run.hand = runner.hand_reading(0);
+    run.most_force = std::max(run.most_force, run.hand.force.norm());
+    bool slipped = false;
+    for (std::size_t hand = 0; hand < scene.hands.size(); ++hand)
+      slipped = slipped || runner.hand_reading(hand).saturated;
+    run.saturated += slipped ? 1 : 0;
+    if (plan.record)
+      add_row(run.record, runner.simulation().time(), runner.hand(0).position, run.hand, report);
+    if (progress && i % 16 == 0)
+      progress(scene.name, static_cast<double>(i) / static_cast<double>(plan.steps));
+  }
+  run.reading = runner.simulation().read();
+  run.target = runner.simulation().solver().target();
+  std::sort(run.step_us.begin(), run.step_us.end());
+  return run;
+}
+
+/// The value below which that share of the steps lies. @param sorted not empty
+double quantile(const std::vector<float>& sorted, double share) {
+  const double at = std::ceil(share * static_cast<double>(sorted.size())) - 1.0;
+  return static_cast<double>(sorted[static_cast<std::size_t>(std::max(at, 0.0))]);
+}
+
+JsonValue energies(const SimulationReading& reading) {
+  const ClothEnergy& e = reading.energy;
+  return JsonValue()
+      .set("stretch", e.stretch)
+      .set("shear", e.shear)
+      .set("bending", e.bending)
+      .set("twist", e.twist)
+      .set("weight", e.weight)
+      .set("kinetic", reading.kinetic_energy)
+      .set("total", reading.total_energy());
+}
+
+JsonValue vector_of(const Vec3& v) { return JsonValue().push(v.x()).push(v.y()).push(v.z()); }
+
+JsonValue report_of(const EngineScene& scene, const Plan& plan, const Run& run) {
+  JsonValue json;
+  json.set("state_hash", hash_text(run.reading.state_hash)).set("max_strain", run.reading.max_strain);
+  json.set("energy_J", energies(run.reading));
+  json.set("grasp_force_N", run.hand.holds ? vector_of(run.hand.force) : JsonValue());
+  json.set("grasp_force_norm_N", run.hand.holds ? JsonValue(run.hand.force.norm()) : JsonValue());
+  json.set("grasp_force_peak_N", scene.hands.empty() ? JsonValue() : JsonValue(run.most_force));
+  json.set("grasp_moment_Nm", run.hand.holds ? vector_of(run.hand.moment) : JsonValue());
+  json.set("step_us", JsonValue()
+                          .set("p50", quantile(run.step_us, 0.5))
+                          .set("p99", quantile(run.step_us, 0.99))
+                          .set("max", static_cast<double>(run.step_us.back())));
+  json.set("status", status_words(run.status));
+  JsonValue ticks;
+  for (std::size_t i = 0; i < kStatusWords.size(); ++i) ticks.set(kStatusWords[i].key, run.status_ticks[i]);
+  json.set("status_ticks", ticks.set("saturated", run.saturated));
+  const auto live = std::count(scene.model.live.begin(), scene.model.live.end(), 1);
+  json.set("residual_N", run.residual)
+      .set("steps", plan.steps)
+      .set("seconds", static_cast<double>(plan.steps) * plan.dt)
+      .set("nodes", std::int64_t{live})
+      .set("spacing_m", scene.model.spacing)
+      .set("target", run.target);
+  return json;
+}
+
+void print_report(const Console& console, const EngineScene& scene, const Plan& plan, const Run& run) {
+  const auto micro = [&](double share) { return format_number(quantile(run.step_us, share)); };
+  console.line(scene.name + ": " + std::to_string(plan.steps) + " steps of " + format_number(1e3 * plan.dt) +
+               " ms on " + run.target + ", status " + status_words(run.status));
+  console.line("step          " + micro(0.5) + " us median, " + micro(0.99) + " us at 99 %, " +
+               format_number(static_cast<double>(run.step_us.back())) + " us at most");
+  console.line("max strain    " + format_number(100.0 * run.reading.max_strain) + " %");
+  console.line("energy        " + format_number(run.reading.total_energy()) + " J, of it kinetic " +
+               format_number(run.reading.kinetic_energy) + " J");
+  if (run.hand.holds) {
+    console.line("grasp force   " + format_number(run.hand.force.norm()) + " N on the hand, at most " +
+                 format_number(run.most_force) + " N, slipped in " + std::to_string(run.saturated) +
+                 " steps");
+  }
+  console.line("residual      " + format_number(run.residual) + " N");
+  console.line("state hash    " + hash_text(run.reading.state_hash));
+}
+
+Plan make_plan(const SimulateOptions& options, const EngineScene& scene) {
+  Plan plan;
+  plan.dt = time_value(options.dt, "--dt", false);
+  if (!(plan.dt >= kLeastStep && plan.dt <= kMostStep)) {
+    throw Error(ErrorKind::kUsage, "--dt: '" + options.dt + "' is no step of the engine", {},
+                "take 1us to 1s; 1ms is usual");
+  }
+  const double seconds =
+      options.seconds.empty() ? scene.seconds : time_value(options.seconds, "--seconds", true);
+  if (!(seconds > 0.0))
+    throw Error(ErrorKind::kUsage, "--seconds must be more than 0", {}, "give a time such as 2s");
+  plan.steps = steps_of(seconds, plan.dt, "--seconds");
+  plan.record = !options.record.empty();
+  if (plan.record && plan.steps > kMostRecorded) {
+    throw Error(ErrorKind::kUsage,
+                "--record: " + std::to_string(plan.steps) + " steps are more than a million rows", {},
+                "take a larger --dt or fewer --seconds");
+  }
+  return plan;
+}
+
+}  // namespace
+
+int run_simulate(const Console& console, const SimulateOptions& options) {
+  if (named_scene(options.scene).kind == SceneKind::kPaper) {
+    throw Error(ErrorKind::kUsage,
+                "'" + options.scene + "' is a scene of the paper, whose descent has no time to simulate", {},
+                "run it with `fuai paper` or `fuai render`, or take corner_drape or bending");
+  }
+  if (!options.record.empty()) {
+    if (!options.record.ends_with(".csv")) {
+      throw Error(ErrorKind::kUsage, "--record: records are CSV files, got '" + options.record + "'", {},
+                  "end the name in .csv");
+    }
+    check_can_write(options.record);
+  }
+  const SceneOptions size = scene_options(options.size, options.spacing);
+  const Fabric fabric = load_fabric(options.fabric);
+  for (const std::string& warning : fabric.warnings) console.warn(warning);
+  EngineScene scene = make_engine_scene(options.scene, make_fabric_laws(fabric), size);
+  if (options.iterations > 0) scene.options.implicit.iterations = options.iterations;
+  const Plan plan = make_plan(options, scene);
+  const Run run = options.precision == "double" ? run_scene_of<double>(scene, plan, console.progress())
+                                                : run_scene_of<float>(scene, plan, console.progress());
+  if (plan.record) {
+    write_atomically(options.record, run.record);
+    console.say("wrote " + options.record);
+  }
+  print_report(console, scene, plan, run);
+  JsonValue json = report_of(scene, plan, run);
+  json.set("scene", scene.name).set("fabric", fabric.id).set("precision", options.precision);
+  console.result(json);
+  if ((run.status & StepReport::kNotFinite) == 0) return 0;
+  throw Error(ErrorKind::kCheckFailed,
+              "a number went wrong in " + std::to_string(run.status_ticks.front()) + " steps", {},
+              "take a smaller --dt or more --iterations");
+}
+
+}  // namespace fuai_app

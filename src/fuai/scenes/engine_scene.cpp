@@ -1,0 +1,78 @@
+// Runs a scene of the engine.
+// SPDX-License-Identifier: Apache-2.0
+#include "fuai/scenes/engine_scene.h"
+
+#include <algorithm>
+
+namespace fuai {
+
+Vec3 SceneMotion::fixed_move(const Vec3& /*start*/, double /*time*/) const noexcept { return Vec3::Zero(); }
+
+template <class T>
+StepReport drive(Simulation<T>& simulation, const EngineScene& scene, SceneHolds& holds, double dt) noexcept {
+  if (!scene.motion) return simulation.step(dt);
+  const double now = simulation.time(), then = now + dt;
+  // Hands: let go, grip where the hand was at the start of the tick, carry.
+  const std::size_t hands = std::min(scene.hands.size(), kMostHands);
+  for (std::size_t i = 0; i < hands; ++i) {
+    const HandMoment moment = scene.motion->hand(i, then);
+    int& hold = holds.holds[i];
+    if (!moment.holds) {
+      simulation.release(hold);
+      hold = -1;
+      continue;
+    }
+    if (hold < 0) hold = simulation.grasp(scene.hands[i], scene.motion->hand(i, now).position);
+    simulation.move_grasp(hold, moment.position, moment.rotation);
+  }
+  // Pins.
+  if (scene.motion->moves_fixed()) {
+    const std::vector<Vec3>& start = scene.start.positions;
+    for (std::size_t slot = 0; slot < start.size(); ++slot) {
+      if (scene.model.fixed[slot] == 0) continue;
+      simulation.place_fixed(static_cast<int>(slot),
+                             start[slot] + scene.motion->fixed_move(start[slot], then));
+    }
+  }
+  return simulation.step(dt);
+}
+
+template <class T>
+SceneRunner<T>::SceneRunner(const EngineScene& scene)
+    : scene_(&scene), simulation_(scene.model, scene.material, scene.options) {
+  simulation_.restore(scene.start);
+}
+
+template <class T>
+GraspReading SceneRunner<T>::hand_reading(std::size_t hand) const noexcept {
+  return hand < kMostHands ? simulation_.grasp_reading(holds_.holds[hand]) : GraspReading{};
+}
+
+template <class T>
+HandMoment SceneRunner<T>::hand(std::size_t hand) const noexcept {
+  if (!scene_->motion || hand >= scene_->hands.size()) return {};
+  return scene_->motion->hand(hand, simulation_.time());
+}
+
+template <class T>
+void SceneRunner<T>::snapshot(SceneSnapshot& snapshot) const {
+  simulation_.snapshot(snapshot.cloth);
+  for (std::size_t i = 0; i < kMostHands; ++i) {
+    const Grasp* grasp = simulation_.held(holds_.holds[i]);
+    snapshot.grasps[i] = grasp ? std::optional<Grasp>(*grasp) : std::nullopt;
+  }
+}
+
+template <class T>
+void SceneRunner<T>::restore(const SceneSnapshot& snapshot) {
+  simulation_.restore(snapshot.cloth);
+  for (std::size_t i = 0; i < kMostHands; ++i)
+    holds_.holds[i] = snapshot.grasps[i] ? simulation_.take_over(*snapshot.grasps[i]) : -1;
+}
+
+template StepReport drive(Simulation<float>&, const EngineScene&, SceneHolds&, double) noexcept;
+template StepReport drive(Simulation<double>&, const EngineScene&, SceneHolds&, double) noexcept;
+template class SceneRunner<float>;
+template class SceneRunner<double>;
+
+}  // namespace fuai
