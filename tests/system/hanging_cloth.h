@@ -11,6 +11,25 @@ namespace fuai_test {
 
 inline constexpr double kArealMass = 0.15;  ///< of all hanging cloths [kg/m2]
 
+/// F = k x with one play element that sticks with `stick` and slips at `friction`.
+inline fuai::PlayLaw one_play_law(double k, double stick, double friction, double range) {
+  const std::vector<double> elastic{-k * range, 0.0, k * range}, width(3, friction);
+  const std::vector<fuai::PlayElement> play{{friction / stick, 1.0}};
+  return fuai::make_play_law(fuai::make_curve_table(-range, range, elastic),
+                             fuai::make_curve_table(-range, range, width, fuai::constant_outside()), play);
+}
+
+/// The suiting of the solver study, which the figures of the taut patch and of bending were stated for: LT 0.7,
+/// EMT 5 % at 500 gf/cm, G 1 gf/(cm deg), 2HG 1.5 gf/cm, B 1e-5 N m, 2HB 0.05 gf cm/cm; no twist, no air.
+inline fuai::ClothMaterial suiting() {
+  fuai::ClothMaterial m;
+  m.weft_tension = m.warp_tension = fuai::make_tensile_law(0.7, 1.0, 0.05, 500.0 * fuai::unit::kGfPerCm);
+  m.shear = one_play_law(56.0, 84.0, 0.74, fuai::kes_shear_range());
+  m.weft_bending = m.warp_bending = one_play_law(1e-5, 1.6e-5, 2.45e-4, fuai::kKesBendingRange);
+  m.air_density = 0.0;
+  return m;
+}
+
 /// columns x rows slots, the top row (the last) fixed.
 inline fuai::ClothModel hanging_model(int columns, int rows, double spacing) {
   fuai::ClothPieceSpec spec;
@@ -35,7 +54,12 @@ inline fuai::ClothState upright_state(const fuai::ClothModel& model) {
 class ZigZag {
  public:
   ZigZag(const fuai::Vec3& start, double half_side, double speed, double rest, unsigned seed)
-      : start_(start), at_(start), goal_(start), half_side_(half_side), speed_(speed), rest_(rest),
+      : start_(start),
+        at_(start),
+        goal_(start),
+        half_side_(half_side),
+        speed_(speed),
+        rest_(rest),
         random_(seed) {}
 
   const fuai::Vec3& move(double dt) {

@@ -32,7 +32,8 @@ double largest_rise(const ClothMaterial& material, double dt, int steps) {
     rise = std::max(rise, now - before);
     before = now;
   }
-  MESSAGE("dt ", dt, " s: energy fell by ", first - before, " J, largest rise ", rise, " J, steps left with more than 1 uN ", restless, " of ", steps);
+  MESSAGE("dt ", dt, " s: energy fell by ", first - before, " J, largest rise ", rise,
+          " J, steps left with more than 1 uN ", restless, " of ", steps);
   return rise / (first - before);
 }
 

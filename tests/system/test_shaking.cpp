@@ -61,9 +61,10 @@ void shake(double spacing, double seconds, unsigned seed) {
   }
   CHECK(wrong == 0);
   const SimulationReading end = simulation.read();
-  MESSAGE("shake, ", 1e3 * spacing, " mm, ", seconds, " s, seed ", seed, ": ", ticks, " ticks, most force ", most, " N, saturated ",
-          saturated, ", speed ", shaken, " m/s strain ", strain, "; at rest speed ", end.max_speed, " m/s, strain ", end.max_strain, ", spread of the force ",
-          (high - low).norm(), " N");
+  MESSAGE("shake, ", 1e3 * spacing, " mm, ", seconds, " s, seed ", seed, ": ", ticks, " ticks, most force ",
+          most, " N, saturated ", saturated, ", speed ", shaken, " m/s strain ", strain, "; at rest speed ",
+          end.max_speed, " m/s, strain ", end.max_strain, ", spread of the force ", (high - low).norm(),
+          " N");
   CHECK(end.max_speed < 0.02);
   CHECK((high - low).norm() < 3e-3);
 }
