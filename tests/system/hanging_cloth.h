@@ -19,8 +19,9 @@ inline fuai::PlayLaw one_play_law(double k, double stick, double friction, doubl
                              fuai::make_curve_table(-range, range, width, fuai::constant_outside()), play);
 }
 
-/// The suiting of the solver study, which the figures of the taut patch and of bending were stated for: LT 0.7,
-/// EMT 5 % at 500 gf/cm, G 1 gf/(cm deg), 2HG 1.5 gf/cm, B 1e-5 N m, 2HB 0.05 gf cm/cm; no twist, no air.
+/// The suiting of the solver study, which the figures of the taut patch and of bending were stated for: LT
+/// 0.7, EMT 5 % at 500 gf/cm, G 1 gf/(cm deg), 2HG 1.5 gf/cm, B 1e-5 N m, 2HB 0.05 gf cm/cm; no twist, no
+/// air.
 inline fuai::ClothMaterial suiting() {
   fuai::ClothMaterial m;
   m.weft_tension = m.warp_tension = fuai::make_tensile_law(0.7, 1.0, 0.05, 500.0 * fuai::unit::kGfPerCm);

@@ -53,7 +53,6 @@ double strip_rigidity(const Plate& plate, double length, double width, double sp
   ClothState state = make_cloth_state(model);
   const EquilibriumReport report =
       find_equilibrium(model, linear_material(plate, kMembrane, kMembrane), state, options);
-  MESSAGE(report.steps, " ", report.iterations, " ", report.residual);
   CHECK(report.converged);
   // Mean deflection across the strip at a distance from the clamp.
   const auto deflection = [&](double x) {
@@ -98,7 +97,6 @@ double specimen_rigidity(const Plate& plate, double length, double width, double
   options.gravity = Vec3::Zero();
   options.least_force = 1e-13;
   const EquilibriumReport report = find_equilibrium(model, material, state, options);
-  MESSAGE(report.steps, " ", report.iterations, " ", report.residual);
   CHECK(report.converged);
   const ClothEnergy energy = cloth_free_energy(model, material, state, Vec3::Zero());
   return 2.0 * (energy.bending + energy.twist) * length / (width * angle * angle);

@@ -33,40 +33,53 @@ void shake(double spacing, double seconds, unsigned seed) {
   std::uniform_real_distribution<double> step(0.2e-3, 8e-3);
   int wrong = 0, saturated = 0, ticks = 0;
   double most = 0.0;
-  const auto tick = [&](const Vec3& target) {
-    simulation.move_grasp(hold, target);
-    const StepReport report = simulation.step(step(random));
+  const auto tick = [&](bool moves) {
+    const double dt = step(random);
+    simulation.move_grasp(hold, moves ? hand.move(dt) : start);
+    const StepReport report = simulation.step(dt);
     const GraspReading reading = simulation.grasp_reading(hold);
     wrong += (report.status & StepReport::kNotFinite) != 0 || !reading.force.allFinite() ? 1 : 0;
     saturated += reading.saturated ? 1 : 0;
     most = std::max(most, reading.force.norm());
     ++ticks;
-    return reading;
+    return reading.force;
   };
-  while (simulation.time() < seconds) {
-    // The hand goes as far as the last step was long; the next one is drawn after it.
-    tick(hand.move(4e-3));
+  while (simulation.time() < seconds) tick(true);
+  const double strain = simulation.read().max_strain;
+  MESSAGE("shake, ", 1e3 * spacing, " mm, ", seconds, " s, seed ", seed, ": ", ticks, " ticks, most force ",
+          most, " N, saturated in ", saturated, ", strain ", strain);
+  // The hand goes home and stays. A crumpled sheet hangs on its folds and may slip off one much later, so it
+  // is not looked at after a fixed time: it comes to rest at all, and it never gains energy on the way.
+  const double home = simulation.time();
+  double energy = simulation.read().total_energy(), gained = 0.0, settled = -1.0, spread = 0.0;
+  while (simulation.time() < home + 20.0) {
+    Vec3 low = Vec3::Constant(1e9), high = -low;
+    const double second = simulation.time() + 1.0;
+    double fastest = 0.0;
+    while (simulation.time() < second) {
+      const Vec3 force = tick(false);
+      if (simulation.time() < second - 0.1) continue;
+      low = low.cwiseMin(force);
+      high = high.cwiseMax(force);
+      fastest = std::max(fastest, simulation.read().max_speed);
+    }
+    const double now = simulation.read().total_energy();
+    // The first second still takes up the slack of the springs.
+    if (simulation.time() > home + 1.5) gained = std::max(gained, now - energy);
+    energy = now;
+    if (settled < 0.0 && fastest < 5e-3 && (high - low).norm() < 3e-3) {
+      settled = simulation.time() - home;
+      spread = (high - low).norm();
+    }
   }
-  const double shaken = simulation.read().max_speed, strain = simulation.read().max_strain;
+  MESSAGE("at rest after ", settled, " s, force then steady to ", 1e3 * spread,
+          " mN; most energy gained in a second ", 1e3 * gained, " mJ; strain ", simulation.read().max_strain);
   CHECK(wrong == 0);
   CHECK(most <= spec.most_force * (1.0 + 1e-6));  // of single precision
-  // The hand goes home and stays.
-  const double rest = simulation.time() + 10.0;
-  Vec3 low = Vec3::Constant(1e9), high = -low;
-  while (simulation.time() < rest) {
-    const GraspReading reading = tick(start);
-    if (simulation.time() < rest - 0.5) continue;
-    low = low.cwiseMin(reading.force);
-    high = high.cwiseMax(reading.force);
-  }
-  CHECK(wrong == 0);
-  const SimulationReading end = simulation.read();
-  MESSAGE("shake, ", 1e3 * spacing, " mm, ", seconds, " s, seed ", seed, ": ", ticks, " ticks, most force ",
-          most, " N, saturated ", saturated, ", speed ", shaken, " m/s strain ", strain, "; at rest speed ",
-          end.max_speed, " m/s, strain ", end.max_strain, ", spread of the force ", (high - low).norm(),
-          " N");
-  CHECK(end.max_speed < 0.02);
-  CHECK((high - low).norm() < 3e-3);
+  CHECK(saturated > ticks / 20);                  // it was shaken beyond what the hold can bear
+  CHECK(settled >= 0.0);
+  // What the hold's springs give back; the sheet's own weight falls through some mJ.
+  CHECK(gained < 1e-5);
 }
 
 /// One hold dragged about, let go and taken again; the hash at the end.
@@ -121,18 +134,21 @@ TEST_SUITE("determinism") {
 
   TEST_CASE("a state taken over by another simulation goes on with the same bits") {
     Simulation<float> first = hanging_simulation(), second = hanging_simulation();
-    drag(first, 900, 5);  // the hold was let go at 800; the sheet swings
+    drag(first, 820, 5);  // the hold was let go at 800; the sheet swings
     ClothState state;
-    first.snapshot(state);
-    second.restore(state);
-    CHECK(second.read().state_hash == first.read().state_hash);
-    REQUIRE(first.read().max_speed > 0.01);
-    for (int i = 0; i < 300; ++i) {
-      first.step(1e-3);
-      second.step(1e-3);
+    for (int times = 0; times < 20; ++times) {
+      first.snapshot(state);
+      second.restore(state);
+      CHECK(second.read().state_hash == first.read().state_hash);
+      REQUIRE(first.read().max_speed > 0.01);
+      for (int i = 0; i < 20; ++i) {
+        first.step(1e-3);
+        second.step(1e-3);
+      }
+      CAPTURE(times);
+      CHECK(second.read().state_hash == first.read().state_hash);
+      CHECK(second.time() == first.time());
     }
-    CHECK(second.read().state_hash == first.read().state_hash);
-    CHECK(second.time() == first.time());
   }
 }
 
