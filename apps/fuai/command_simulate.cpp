@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "commands.h"
@@ -13,6 +14,7 @@
 #include "fuai/core/hash.h"
 #include "fuai/io/fabric_library.h"
 #include "fuai/io/text_file.h"
+#include "fuai/runtime/spin_team.h"
 #include "scene_options.h"
 
 namespace fuai_app {
@@ -52,7 +54,17 @@ struct Plan {
   double dt = 0.0;
   std::int64_t steps = 0;
   bool record = false;
+  int threads = 1;
 };
+
+/// Slots from which a second thread pays: below, handing over costs as much as it brings (bench_engine).
+constexpr int kSlotsForTwo = 5000;
+
+/// Threads of the solver: what was asked for, else two where they pay and the machine has them.
+int threads_for(int asked, const EngineScene& scene) {
+  if (asked > 0) return std::min(asked, 64);
+  return scene.model.slot_count() >= kSlotsForTwo && std::thread::hardware_concurrency() > 1 ? 2 : 1;
+}
 
 /// What a run was.
 struct Run {
@@ -95,6 +107,8 @@ template <class T>
 Run run_scene_of(const EngineScene& scene, const Plan& plan, const Progress& progress) {
   using Clock = std::chrono::steady_clock;
   SceneRunner<T> runner(scene);
+  SpinTeam team(plan.threads);
+  runner.simulation().solver().set_team(&team);
   Run run;
   run.step_us.reserve(static_cast<std::size_t>(plan.steps));
   if (plan.record) run.record = kRecordHead;
@@ -225,7 +239,8 @@ int run_simulate(const Console& console, const SimulateOptions& options) {
   for (const std::string& warning : fabric.warnings) console.warn(warning);
   EngineScene scene = make_engine_scene(options.scene, make_fabric_laws(fabric), size);
   if (options.iterations > 0) scene.options.implicit.iterations = options.iterations;
-  const Plan plan = make_plan(options, scene);
+  Plan plan = make_plan(options, scene);
+  plan.threads = threads_for(console.options().threads, scene);
   const Run run = options.precision == "double" ? run_scene_of<double>(scene, plan, console.progress())
                                                 : run_scene_of<float>(scene, plan, console.progress());
   if (plan.record) {
@@ -234,7 +249,10 @@ int run_simulate(const Console& console, const SimulateOptions& options) {
   }
   print_report(console, scene, plan, run);
   JsonValue json = report_of(scene, plan, run);
-  json.set("scene", scene.name).set("fabric", fabric.id).set("precision", options.precision);
+  json.set("scene", scene.name)
+      .set("fabric", fabric.id)
+      .set("precision", options.precision)
+      .set("threads", plan.threads);
   console.result(json);
   if ((run.status & StepReport::kNotFinite) == 0) return 0;
   throw Error(ErrorKind::kCheckFailed,

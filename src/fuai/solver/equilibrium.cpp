@@ -7,14 +7,16 @@
 #include <cstdio>
 #include <cstdlib>
 #include <random>
+#include <utility>
 
+#include "fuai/cloth/refine.h"
 #include "fuai/core/error.h"
 
 namespace fuai {
 namespace {
 
 /// Pseudo-time grows by this while steps are taken whole and shrinks by its inverse when they are not.
-constexpr double kGrowth = 2.0, kShrink = 0.5;
+constexpr double kGrowth = 4.0, kShrink = 0.5;
 constexpr double kLongestDt = 1e4, kShortestDt = 1e-5;
 
 void check(const EquilibriumOptions& o) {
@@ -79,6 +81,31 @@ EquilibriumReport find_equilibrium(const ClothModel& model, const ClothMaterial&
   solver.save(state);
   state.time = time;
   return report;
+}
+
+EquilibriumReport find_equilibrium_nested(std::span<const ClothModel> levels, const ClothMaterial& material,
+                                          ClothState& state, const EquilibriumOptions& options,
+                                          const Progress& progress) {
+  if (levels.empty()) throw Error(ErrorKind::kUsage, "a nested static solve needs at least one lattice");
+  const ClothModel& finest = levels.back();
+  const ClothState start = state;
+  EquilibriumReport all;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const bool last = i + 1 == levels.size();
+    const ClothState placed = last ? start : refine_state(finest, start, levels[i]);
+    ClothState level = i == 0 ? placed : refine_state(levels[i - 1], state, levels[i]);
+    for (std::size_t slot = 0; slot < level.positions.size(); ++slot)
+      if (levels[i].fixed[slot] != 0 || levels[i].live[slot] == 0)
+        level.positions[slot] = placed.positions[slot];
+    EquilibriumOptions here = options;
+    if (!last) here.tolerance = std::max(options.tolerance, kCoarseTolerance);
+    if (i > 0) here.perturbation = 0.0;
+    const EquilibriumReport report = find_equilibrium(levels[i], material, level, here, progress);
+    all = {report.converged, all.steps + report.steps, all.iterations + report.iterations, report.residual};
+    state = std::move(level);
+  }
+  state.time = start.time;
+  return all;
 }
 
 }  // namespace fuai

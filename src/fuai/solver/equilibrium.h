@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "fuai/core/progress.h"
 #include "fuai/solver/implicit.h"
@@ -20,8 +21,8 @@ struct EquilibriumOptions {
   int most_steps = 5000;       ///< of all load steps together
   int load_steps = 1;          ///< gravity grows in so many equal steps, the friction memory moves after each
   double first_dt = 0.01;      ///< of the pseudo-time [s]
-  double largest_move = 0.5;   ///< of a slot in one step [spacings]
-  int iterations = 200;        ///< conjugate gradients a step, at most
+  double largest_move = 1.0;   ///< of a slot in one step [spacings]
+  int iterations = 300;        ///< conjugate gradients a step, at most
   double reduction = 0.1;      ///< and down to this part of the residual
   std::uint64_t seed = 0;      ///< of the perturbation
   double perturbation = 0.0;   ///< largest random shift of a free slot along z before the start [m]
@@ -41,5 +42,20 @@ struct EquilibriumReport {
 /// @throws Error (kUsage) for options out of range. Thread class: set-up.
 EquilibriumReport find_equilibrium(const ClothModel& model, const ClothMaterial& material, ClothState& state,
                                    const EquilibriumOptions& options = {}, const Progress& progress = {});
+
+/// The same from coarse to fine: each lattice starts from the shape of the one before, so that a fine one
+/// finds the folds of the coarse one in a fraction of the steps. Coarse lattices are solved to
+/// kCoarseTolerance.
+/// @param levels models of one piece, coarse first; the last is that of `state`, whose positions give the
+/// start and the places of fixed slots on every level
+/// @return of the last level, with the steps and iterations of all.
+/// @throws Error (kUsage) for options out of range or no level. Thread class: set-up.
+EquilibriumReport find_equilibrium_nested(std::span<const ClothModel> levels, const ClothMaterial& material,
+                                          ClothState& state, const EquilibriumOptions& options = {},
+                                          const Progress& progress = {});
+
+/// Tolerance on the coarse levels of a nested solve [part of the weight]: enough for the folds to be where
+/// they belong; smaller wastes steps on a shape that the next level changes.
+inline constexpr double kCoarseTolerance = 1e-2;
 
 }  // namespace fuai

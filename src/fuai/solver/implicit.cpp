@@ -58,14 +58,20 @@ SolverImplicit<T>::SolverImplicit(const ClothModel& model, const ClothMaterial& 
       holds_(room.groups),
       columns_(model.columns) {
   check_options(options);
-  scratch_.assign(static_cast<std::size_t>(kernels_->scratch_size(grid_)), T(0));
+  set_team(nullptr);
   restore(make_cloth_state(model));
 }
 
 template <class T>
-template <class Kernel, class... Arguments>
-double SolverImplicit<T>::rows(Kernel kernel, const Arguments&... arguments) noexcept {
-  kernel(grid_, arguments..., 0, grid_.rows);
+void SolverImplicit<T>::set_team(Team* team) {
+  team_ = team != nullptr && team->size() > 1 ? team : nullptr;
+  const auto members = static_cast<std::size_t>(team_ != nullptr ? team_->size() : 1);
+  scratch_.assign(members * static_cast<std::size_t>(kernels_->scratch_size(grid_)), T(0));
+}
+
+// Always in the order of the rows, whoever did them.
+template <class T>
+double SolverImplicit<T>::sum_rows() const noexcept {
   double sum = 0.0;
   for (int row = 0; row < grid_.rows; ++row) sum += grid_.partial[row];
   return sum;
@@ -73,8 +79,58 @@ double SolverImplicit<T>::rows(Kernel kernel, const Arguments&... arguments) noe
 
 template <class T>
 template <class Kernel, class... Arguments>
-void SolverImplicit<T>::vectors(Kernel kernel, int count, const Arguments&... arguments) noexcept {
-  kernel(grid_, arguments..., 0, (count + kernels_->lanes - 1) / kernels_->lanes);
+double SolverImplicit<T>::rows(Kernel kernel, const Arguments&... arguments) noexcept {
+  const int members = team_ != nullptr ? team_->size() : 1;
+  run_together(team_, [&](int member) {
+    const Share share = share_of(grid_.rows, member, members);
+    kernel(grid_, arguments..., share.begin, share.end);
+  });
+  return sum_rows();
+}
+
+// Rows in whole vectors.
+template <class T>
+template <class Kernel, class... Arguments>
+double SolverImplicit<T>::vectors(Kernel kernel, const Arguments&... arguments) noexcept {
+  const int members = team_ != nullptr ? team_->size() : 1;
+  const int count = (grid_.rows + kernels_->lanes - 1) / kernels_->lanes;
+  run_together(team_, [&](int member) {
+    const Share share = share_of(count, member, members);
+    kernel(grid_, arguments..., share.begin, share.end);
+  });
+  return sum_rows();
+}
+
+// Both directions at the same time: the even members take the warp, the odd ones the weft; alone, both.
+template <class T>
+template <class Kernel>
+void SolverImplicit<T>::lines(Kernel warp, Kernel weft) noexcept {
+  const int members = team_ != nullptr ? team_->size() : 1;
+  const int warp_count = (grid_.columns + kernels_->lanes - 1) / kernels_->lanes;
+  const int weft_count = (grid_.rows + kernels_->lanes - 1) / kernels_->lanes;
+  run_together(team_, [&](int member) {
+    if (members == 1) {
+      warp(grid_, 0, warp_count);
+      weft(grid_, 0, weft_count);
+      return;
+    }
+    const bool odd = member % 2 != 0;
+    const Share share =
+        share_of(odd ? weft_count : warp_count, member / 2, odd ? members / 2 : (members + 1) / 2);
+    (odd ? weft : warp)(grid_, share.begin, share.end);
+  });
+}
+
+// Rows, with a set of scratch for each member.
+template <class T>
+template <class Work>
+void SolverImplicit<T>::with_scratch(const Work& work) noexcept {
+  const int members = team_ != nullptr ? team_->size() : 1;
+  const std::size_t size = scratch_.size() / static_cast<std::size_t>(members);
+  run_together(team_, [&](int member) {
+    const Share share = share_of(grid_.rows, member, members);
+    work(scratch_.data() + size * static_cast<std::size_t>(member), share.begin, share.end);
+  });
 }
 
 template <class T>
@@ -122,7 +178,9 @@ void SolverImplicit<T>::add_attachments(bool linearise) noexcept {
 
 template <class T>
 void SolverImplicit<T>::evaluate(Evaluation what) noexcept {
-  kernels_->evaluate(grid_, constants_, step_, what, scratch_.data(), 0, grid_.rows);
+  with_scratch([&](T* scratch, int begin, int end) {
+    kernels_->evaluate(grid_, constants_, step_, what, scratch, begin, end);
+  });
   add_attachments(what == Evaluation::kLinearise);
 }
 
@@ -187,24 +245,20 @@ void SolverImplicit<T>::start(double dt, StepReport& report) noexcept {
 template <class T>
 double SolverImplicit<T>::solve(StepReport& report) noexcept {
   const bool links = options_.preconditioner == Preconditioner::kYarnLines;
-  vectors(kernels_->assemble, grid_.rows, constants_, links);
-  vectors(kernels_->factor_warp, grid_.columns);
-  vectors(kernels_->factor_weft, grid_.rows);
+  vectors(kernels_->assemble, constants_, links);
+  lines(kernels_->factor_warp, kernels_->factor_weft);
   const double first = rows(kernels_->begin_solve);
   const double least = std::max(options_.tolerance * options_.tolerance * 0.01,
                                 first * options_.reduction * options_.reduction);
   double slope = 0.0, previous = 0.0, square = first;
   for (int i = 0; i < options_.iterations && square > least; ++i) {
-    vectors(kernels_->solve_warp, grid_.columns);
-    vectors(kernels_->solve_weft, grid_.rows);
-    vectors(kernels_->average, grid_.rows);
-    double rz = 0.0;
-    for (int row = 0; row < grid_.rows; ++row) rz += grid_.partial[row];
+    lines(kernels_->solve_warp, kernels_->solve_weft);
+    const double rz = vectors(kernels_->average);
     if (!(rz > 0.0)) break;
     rows(kernels_->direct, static_cast<T>(i == 0 ? 0.0 : rz / previous));
-    kernels_->multiply(grid_, constants_, scratch_.data(), 0, grid_.rows);
-    double curvature = 0.0;
-    for (int row = 0; row < grid_.rows; ++row) curvature += grid_.partial[row];
+    with_scratch(
+        [&](T* scratch, int begin, int end) { kernels_->multiply(grid_, constants_, scratch, begin, end); });
+    const double curvature = sum_rows();
     if (!(curvature > 0.0)) break;
     const double alpha = rz / curvature;
     square = rows(kernels_->advance, static_cast<T>(alpha));
@@ -279,7 +333,7 @@ StepReport SolverImplicit<T>::step(double dt) noexcept {
     report.status |= StepReport::kNotFinite;
     rows(kernels_->keep);
   } else {
-    kernels_->commit(grid_, constants_, 0, grid_.rows);
+    rows(kernels_->commit, constants_);
     finish_step(dt);
   }
   time_ += dt;
@@ -330,7 +384,7 @@ void SolverImplicit<T>::commit() noexcept {
   rows(kernels_->keep);
   rows(kernels_->stop);
   evaluate(Evaluation::kForce);
-  kernels_->commit(grid_, constants_, 0, grid_.rows);
+  rows(kernels_->commit, constants_);
 }
 
 template <class T>

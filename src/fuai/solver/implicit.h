@@ -14,6 +14,7 @@
 
 #include "fuai/cloth/cloth_model.h"
 #include "fuai/core/constants.h"
+#include "fuai/core/team.h"
 #include "fuai/solver/cloth_material.h"
 #include "fuai/solver/implicit_kernels.h"
 #include "fuai/solver/implicit_storage.h"
@@ -125,6 +126,9 @@ class SolverImplicit {
   double time() const noexcept { return time_; }
   const ImplicitOptions& options() const noexcept { return options_; }
   void set_options(const ImplicitOptions& options) noexcept { options_ = options; }
+  /// Shares the rows of every kernel out to a team; the bits stay the same. Null: one thread. The team must
+  /// outlive the steps. Thread class: set-up.
+  void set_team(Team* team);
   /// Bytes of all arrays that belong to nodes.
   std::size_t bytes() const noexcept;
   const char* target() const noexcept { return kernels_->target; }
@@ -142,7 +146,12 @@ class SolverImplicit {
   template <class Kernel, class... Arguments>
   double rows(Kernel kernel, const Arguments&... arguments) noexcept;
   template <class Kernel, class... Arguments>
-  void vectors(Kernel kernel, int count, const Arguments&... arguments) noexcept;
+  double vectors(Kernel kernel, const Arguments&... arguments) noexcept;
+  template <class Kernel>
+  void lines(Kernel warp, Kernel weft) noexcept;
+  template <class Work>
+  void with_scratch(const Work& work) noexcept;
+  double sum_rows() const noexcept;
 
   const ImplicitKernels<T>* kernels_ = nullptr;
   std::unique_ptr<ImplicitStorage<T>> storage_;
@@ -150,7 +159,8 @@ class SolverImplicit {
   ImplicitConstants<T> constants_;
   ImplicitStepConstants<T> step_;
   ImplicitOptions options_;
-  std::vector<T> scratch_;
+  Team* team_ = nullptr;
+  std::vector<T> scratch_;  // one set a member
   std::vector<Attachment> attachments_;
   std::vector<AttachmentGroup> groups_;
   std::vector<HoldForce> holds_;
