@@ -3,6 +3,7 @@
 // Source: docs/theory/engine.md, "Bias".
 #include <Eigen/LU>
 #include <numbers>
+#include <string>
 
 #include "fuai/cloth/material_point.h"
 #include "fuai/solver/cloth_energy.h"
@@ -115,7 +116,7 @@ const Cloth kCloths[] = {{"isotropic", {kUnit, kUnit, 0.3 * kUnit, 0.35 * kUnit}
 TEST_SUITE("analytic") {
   TEST_CASE("a free narrow bias strip shows the inverse of its compliance") {
     for (const Cloth& cloth : kCloths) {
-      CAPTURE(cloth.name);
+      CAPTURE(std::string(cloth.name));
       const double ratio =
           strip_rigidity(cloth.plate, 0.12, 0.02, 0.0025) / free_rigidity(cloth.plate, kBias);
       const double coarse =
@@ -128,7 +129,7 @@ TEST_SUITE("analytic") {
 
   TEST_CASE("a wide bias specimen between clamps shows B45 of the plate formula") {
     for (const Cloth& cloth : kCloths) {
-      CAPTURE(cloth.name);
+      CAPTURE(std::string(cloth.name));
       const double ratio =
           specimen_rigidity(cloth.plate, 0.01, 0.1, 0.00125) / held_rigidity(cloth.plate, kBias);
       const double coarse =

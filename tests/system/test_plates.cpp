@@ -131,7 +131,7 @@ const Square kClamped[] = {{"clamped isotropic", kIsotropic, true, .00126532},
 TEST_SUITE("convergence") {
   TEST_CASE("simply supported squares: order 2, within 0.1 % at 64 cells") {
     for (const Square& square : kSupported) {
-      CAPTURE(square.name);
+      CAPTURE(std::string(square.name));
       std::vector<double> errors;
       for (int cells : {16, 32, 64})
         errors.push_back(square_deflection(square.plate, square.clamped, cells) / square.exact - 1.0);
@@ -144,7 +144,7 @@ TEST_SUITE("convergence") {
 
   TEST_CASE("clamped squares: order 2, the extrapolated limit within 0.1 %") {
     for (const Square& square : kClamped) {
-      CAPTURE(square.name);
+      CAPTURE(std::string(square.name));
       std::vector<double> values, errors;
       for (int cells : {16, 32, 64}) {
         values.push_back(square_deflection(square.plate, square.clamped, cells));
