@@ -99,8 +99,10 @@ TEST_SUITE("unit") {
     const ClothModel kept = make_cloth_model(rectangle(0.0515, 0.03, 0.01));
     CHECK(kept.live[index(kept, 6, 1)] == 1);
     CHECK(kept.weft_bend_area[index(kept, 6, 1)] == 0.0);
-    CHECK(kept.node_area[index(kept, 6, 1)] == relative(0.075e-4, 1e-11));
-    CHECK(kept.weft_bend_area[index(kept, 5, 1)] == relative((0.575 + 0.075) * 1e-4, 1e-12));
+    // Its centroid is 0.075 of a spacing from the low side, so its outer corners get that part of it.
+    CHECK(kept.node_area[index(kept, 6, 1)] == relative(0.075 * 0.15e-4, 1e-11));
+    CHECK(kept.node_area[index(kept, 5, 1)] == relative((0.5 + 0.925 * 0.15) * 1e-4, 1e-11));
+    CHECK(kept.weft_bend_area[index(kept, 5, 1)] == relative((0.5 + 0.15) * 1e-4, 1e-12));
   }
 
   TEST_CASE("a disc: sums equal its area") {
@@ -123,8 +125,8 @@ TEST_SUITE("unit") {
       int fixed;     // columns
       double share;  // of the spacing that bends in the last fixed slot
     };
-    // 1/2 - s, limited to 1/4 and 1/0.7; the last fixed column is less than half a cell beyond the edge.
-    for (const Case& c : {Case{4.0, 5, 0.5}, Case{4.2, 5, 0.3}, Case{4.4, 5, 0.25}, Case{4.5, 5, 0.25},
+    // 1/2 - s, limited to 1/20 and 1/0.7; the last fixed column is less than half a cell beyond the edge.
+    for (const Case& c : {Case{4.0, 5, 0.5}, Case{4.2, 5, 0.3}, Case{4.4, 5, 0.1}, Case{4.5, 5, 0.05},
                           Case{4.7, 6, 0.8}, Case{4.501, 6, 0.999}}) {
       const ClothModel m = held_strip(0.01 * c.edge);
       int fixed = 0;
@@ -139,6 +141,20 @@ TEST_SUITE("unit") {
     CHECK(plain.fixed[index(plain, 4, 3)] == 1);
     CHECK(plain.fixed[index(plain, 5, 3)] == 0);
     CHECK(plain.weft_bend_length[index(plain, 4, 3)] == 0.01);
+  }
+
+  TEST_CASE("clamps: a cell held in part is as stiff in twist as its free part") {
+    // Free share of the cell that the edge cuts, in sixteenths (its samples). Beyond the middle of the cell
+    // the next column is held too, and no cell in part.
+    for (const auto& [edge, free] :
+         {std::pair(4.25, 0.75), std::pair(4.4375, 0.5625), std::pair(4.5, 0.5), std::pair(4.75, 1.0)}) {
+      const ClothModel m = held_strip(0.01 * edge);
+      CHECK(m.twist_area[index(m, 4, 3)] == relative(1e-4 / free, 1e-9));
+      CHECK(m.twist_area[index(m, 3, 3)] == relative(1e-4, 1e-12));  // wholly held
+      CHECK(m.twist_area[index(m, 5, 3)] == relative(1e-4, 1e-12));  // wholly free
+    }
+    const ClothModel plain = held_strip(0.048, false);
+    CHECK(plain.twist_area == plain.cell_area);
   }
 
   TEST_CASE("clamps: disc, rectangle and polygon measure along the yarn") {

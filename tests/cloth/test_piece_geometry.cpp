@@ -260,6 +260,19 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("property") {
+  TEST_CASE("the centre of mass of the nodes is that of the outline") {
+    for (const Shape& shape : shapes()) {
+      CAPTURE(shape.name);
+      // Every cell keeps its first moment, so nothing but the rounding of some 1e4 terms is left; measured
+      // 3e-14 m at most. These shapes drop cells at every spacing, but none so far from its taker that the
+      // common centroid comes within 1/20 of a side.
+      for (double error : worst_errors(shape, [](const ClothModel& m) {
+             return (centre_of_nodes(m) - polygon_centroid(m.outline)).norm();
+           }))
+        CHECK(error < 1e-12);
+    }
+  }
+
   TEST_CASE("areas, border and mesh of three shapes at four spacings and shifts") {
     for (const Shape& shape : shapes()) {
       for (double spacing : {0.02, 0.01, 0.005, 0.0025}) {
@@ -317,22 +330,6 @@ TEST_SUITE("convergence") {
       CAPTURE(strains[3]);
       // Chords of the cylinder, and kinks of second order between cells. Measured orders 2.39, 2.00, 2.34.
       CHECK(order(strains) > 1.95);
-    }
-  }
-
-  TEST_CASE("the centre of mass of the nodes is that of the outline, with order 2") {
-    for (const Shape& shape : shapes()) {
-      CAPTURE(shape.name);
-      const std::vector<double> errors = worst_errors(shape, [](const ClothModel& m) {
-        return (centre_of_nodes(m) - polygon_centroid(m.outline)).norm();
-      });
-      // A cell filled to f moves the moment of its cloth by at most f (1 - f) h^3 / 2 <= h^3 / 8; the outline
-      // cuts about 4 / pi cells a spacing of its length. A tenth of the sum, because the signs cancel round
-      // the outline; measured 2 % of it, orders 2.6 to 2.8.
-      const double bound = polygon_perimeter(shape.outline) * 0.01 * 0.01 / (2.0 * std::numbers::pi) /
-                           polygon_area(shape.outline);
-      CHECK(errors[1] < 0.1 * bound);
-      CHECK(order(errors) > 1.85);
     }
   }
 }

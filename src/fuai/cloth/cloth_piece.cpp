@@ -114,6 +114,12 @@ CellCloth fill_cells(const Polygon& outline, ClothModel& model) {
   return cloth;
 }
 
+/// The centroid of a cell filled to f >= kLeastCellShare lies at least f / 2 from every side. Only cloth of a
+/// dropped neighbour can pull it beyond; then the corners far from it keep what makes them move.
+double centroid_share(double coordinate) {
+  return std::clamp(coordinate, 0.5 * kLeastCellShare, 1.0 - 0.5 * kLeastCellShare);
+}
+
 /// Every cell gives its cloth to its corners and sides so that the centre of mass stays where it is: a whole
 /// cell a quarter to each corner and half to each pair of sides, a cut one more to those that are nearer.
 void share_cells(const CellCloth& cloth, ClothModel& model) {
@@ -129,7 +135,7 @@ void share_cells(const CellCloth& cloth, ClothModel& model) {
       const double area = model.cell_area[at(cell)];
       if (!(area > 0.0)) continue;
       const Vec2 centroid = cloth.moment[at(cell)] / cloth.area[at(cell)] - Vec2(column, row);
-      const double right = std::clamp(centroid.x(), 0.0, 1.0), top = std::clamp(centroid.y(), 0.0, 1.0);
+      const double right = centroid_share(centroid.x()), top = centroid_share(centroid.y());
       const double across[2] = {1.0 - right, right}, along[2] = {1.0 - top, top};
       for (int j : {0, 1}) {
         for (int i : {0, 1}) {

@@ -4,7 +4,7 @@
 //
 //   outline  ->  cells cut exactly  ->  cells with less than a tenth inside give their cloth to a neighbour
 //   cells    ->  slots at their corners are live, also those just outside the outline
-//   cells    ->  areas of slots (a quarter of each cell), edges (half of each cell), triples
+//   cells    ->  areas of slots and edges with the centre of mass of each cell, triples
 //   clamps   ->  fixed slots, and triples cut by the edge of a clamp
 //   outline  ->  border points, each a weighted mean of slots
 #pragma once
