@@ -61,8 +61,8 @@ struct ClothState {
   std::vector<Vec3> velocities;  ///< [m/s] (slots)
   /// Friction memory (slots each): of the weft and warp triples, of the cells, of the weft and warp edges.
   std::vector<PlayState> weft_bending, warp_bending, shear, weft_tension, warp_tension;
-  /// What a solver carries from one step to the next beyond the above, so that a restored state goes on bit for
-  /// bit; empty: nothing.
+  /// What a solver carries from one step to the next beyond the above, so that a restored state goes on bit
+  /// for bit; empty: nothing.
   std::vector<double> carried;
   double time = 0.0;  ///< [s]
 };
