@@ -44,6 +44,7 @@ ImplicitKernels<T> make_kernels() {
   k.move = &move_rows<T>;
   k.work_d = &work_d_rows<T>;
   k.work_v = &work_v_rows<T>;
+  k.length_d = &length_d_rows<T>;
   k.square = &square_rows<T>;
   k.finish = &finish_rows<T>;
   k.scratch_size = &scratch_numbers<T>;

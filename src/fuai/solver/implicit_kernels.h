@@ -59,6 +59,8 @@ struct ImplicitKernels {
   /// partial = force.d and force.v over mobile nodes.
   void (*work_d)(const Grid&, int begin, int end);
   void (*work_v)(const Grid&, int begin, int end);
+  /// partial = d.d.
+  void (*length_d)(const Grid&, int begin, int end);
   /// partial = force.force over mobile nodes.
   void (*square)(const Grid&, int begin, int end);
   /// v = (x - xn) / dt, xn = x; over mobile nodes partial = (force of the cloth).v without inertia and

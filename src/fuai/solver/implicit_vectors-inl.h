@@ -141,6 +141,19 @@ void work_v_rows(const ImplicitGrid<T>& g, int begin, int end) {
 }
 
 template <class T>
+void length_d_rows(const ImplicitGrid<T>& g, int begin, int end) {
+  const int lanes = lanes_of<T>();
+  for (int row = begin; row < end; ++row) {
+    Lane<T> sum = hn::Zero(Tag<T>());
+    for (int c = 0; c < g.width; c += lanes) {
+      const Lane3<T> d = load3(g.d, g.at(row) + c);
+      sum = add_dot<T>(d, d, sum);
+    }
+    g.partial[row] = sum_of_lanes<T>(sum);
+  }
+}
+
+template <class T>
 void square_rows(const ImplicitGrid<T>& g, int begin, int end) {
   work_rows(g, g.force, begin, end);
 }
