@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <random>
 
 #include "fuai/core/error.h"
@@ -66,9 +64,6 @@ EquilibriumReport find_equilibrium(const ClothModel& model, const ClothMaterial&
       residual = solver.out_of_balance();
       const bool whole = (step.status & (StepReport::kShortened | StepReport::kNotFinite)) == 0;
       dt = std::clamp(dt * (whole && residual < 4.0 * before ? kGrowth : kShrink), kShortestDt, kLongestDt);
-      if (getenv("VB") && report.steps % atoi(getenv("VB")) == 0)
-        printf("%d dt %g res %g st %u its %d\n", report.steps, dt, residual / weight, step.status,
-               step.iterations);
       if (progress) progress("equilibrium", static_cast<double>(report.steps) / options.most_steps);
     }
     report.residual = weight > 0.0 ? residual / weight : residual;
