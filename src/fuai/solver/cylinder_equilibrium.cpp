@@ -19,6 +19,9 @@ constexpr int kReach = 2, kColours = 2 * kReach + 1, kBand = 2 * kReach + 2;
 /// 1e-16 / this, are both some 1e-8 of the stiffness.
 constexpr double kDifference = 1e-8;
 constexpr double kGrowth = 4.0, kShrink = 0.25, kLongestDt = 1e4, kShortestDt = 1e-7;
+constexpr int kHalvings = 5;
+/// Rounding of an energy, as a part of it.
+constexpr double kEnergyRounding = 1e-13;
 
 /// Symmetric band matrix, the lower half: rows of A(i, i), A(i, i-1) ... A(i, i-kBand+1).
 using Band = std::vector<std::array<double, kBand>>;
@@ -188,10 +191,15 @@ double settle(Strip& strip, double share, double limit, double largest_move,
       const bool definite = solve_band(damped, move);
       double longest = 0.0;
       for (double m : move) longest = std::max(longest, std::abs(m));
-      if (definite) {
-        strip.move(move, std::min(1.0, largest_move / longest));
+      // Along the move the energy must fall, half as far each time: laws have corners, and a Newton step
+      // that looks only at the force runs to and fro across them.
+      double part = std::min(1.0, largest_move / longest);
+      for (int halving = 0; definite && !taken && halving < kHalvings; ++halving, part *= 0.5) {
+        strip.move(move, part);
         const double lower = strip.evaluate(share, next_force, next);
-        taken = std::isfinite(next) && (lower < energy || next < residual);
+        const double rounding = kEnergyRounding * std::abs(energy);
+        taken = std::isfinite(next) &&
+                (lower < energy - rounding || (lower < energy + rounding && next < residual));
         if (taken) {
           energy = lower, residual = next, force = next_force;
         } else {
