@@ -20,7 +20,7 @@ constexpr int kReach = 2, kColours = 2 * kReach + 1, kBand = 2 * kReach + 2;
 constexpr double kDifference = 1e-8;
 constexpr double kGrowth = 4.0, kShrink = 0.25, kLongestDt = 1e4, kShortestDt = 1e-7;
 constexpr int kHalvings = 5;
-/// Rounding of an energy, as a part of it.
+/// Rounding of an energy, as a part of the weight times the length of the strip.
 constexpr double kEnergyRounding = 1e-13;
 
 /// Symmetric band matrix, the lower half: rows of A(i, i), A(i, i-1) ... A(i, i-kBand+1).
@@ -197,7 +197,8 @@ double settle(Strip& strip, double share, double limit, double largest_move,
       for (int halving = 0; definite && !taken && halving < kHalvings; ++halving, part *= 0.5) {
         strip.move(move, part);
         const double lower = strip.evaluate(share, next_force, next);
-        const double rounding = kEnergyRounding * std::abs(energy);
+        const double rounding =
+            kEnergyRounding * strip.weight() * static_cast<double>(strip.size()) * largest_move;
         taken = std::isfinite(next) &&
                 (lower < energy - rounding || (lower < energy + rounding && next < residual));
         if (taken) {
