@@ -61,4 +61,14 @@ struct SimulateOptions {
 };
 int run_simulate(const Console& console, const SimulateOptions& options);
 
+struct CantileverCommandOptions {
+  std::string fabric;
+  std::string direction = "warp";
+  std::string length = "10cm";  ///< with unit
+  std::string width = "2cm";    ///< with unit
+  std::string spacing;          ///< with unit; empty: a fortieth of the length
+  bool elastic = false;
+};
+int run_cantilever(const Console& console, const CantileverCommandOptions& options);
+
 }  // namespace fuai_app

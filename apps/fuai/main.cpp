@@ -40,6 +40,7 @@ struct Parsed {
   PaperOptions paper;
   RenderOptions render;
   SimulateOptions simulate;
+  CantileverCommandOptions cantilever;
   std::function<int(const Console&)> run;
 };
 
@@ -165,6 +166,30 @@ void add_scene_commands(CLI::App& app, Parsed& parsed) {
   add_simulate_command(app, parsed);
 }
 
+void add_cantilever_command(CLI::App& app, Parsed& parsed) {
+  CantileverCommandOptions& options = parsed.cantilever;
+  CLI::App* command = app.add_subcommand(
+      "cantilever", "A strip clamped level at one end, hanging under its own weight: bending length");
+  command->add_option("FABRIC", options.fabric, "Bundled name or path of a fabric file")->required();
+  command->add_option("--direction", options.direction, "Yarns along the strip: warp or weft")
+      ->check(CLI::IsMember({"warp", "weft"}))
+      ->capture_default_str();
+  command->add_option("--length", options.length, "Free length with unit, at least four spacings")
+      ->required();
+  command->add_option("--width", options.width, "Width with unit, at least two spacings")
+      ->capture_default_str();
+  command->add_option("--spacing", options.spacing,
+                      "Distance of the nodes with unit. Default: a fortieth of the length, at most half the "
+                      "width");
+  command->add_flag("--elastic", options.elastic, "Without friction: the elastic curves of the laws alone");
+  command->footer(
+      "Examples:\n  fuai cantilever wool-tropical --length 10cm\n"
+      "  fuai cantilever cupro-woven-su1098 --direction weft --length 8cm --elastic\n"
+      "  fuai --json cantilever graded-6 --length 15cm --spacing 5mm");
+  command->callback(
+      [&] { parsed.run = [&](const Console& c) { return run_cantilever(c, parsed.cantilever); }; });
+}
+
 /// Reads --config as CLI11 does, without the options that an environment variable states: CLI11 itself would
 /// let the file win.
 class FileBelowEnvironment : public CLI::ConfigTOML {
@@ -277,6 +302,7 @@ int parse_and_run(int argc, char** argv) {
   add_common_options(app, parsed);
   add_fabric_commands(app, parsed);
   add_scene_commands(app, parsed);
+  add_cantilever_command(app, parsed);
   try {
     app.parse(argc, argv);
   } catch (const CLI::FileError& e) {

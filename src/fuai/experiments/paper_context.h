@@ -64,6 +64,9 @@ std::unique_ptr<PaperFigure> make_figure_6();
 /// Figure 7 or 8: curvature against force of one fabric. @param stands_for the paper's bending characteristic
 std::unique_ptr<PaperFigure> make_force_figure(const std::string& number, const std::string& fabric_id,
                                                const std::string& stands_for);
+/// Figure 4, and Figures 6 to 8, on the cloth engine: the third form.
+std::unique_ptr<PaperFigure> make_engine_drapes();
+std::unique_ptr<PaperFigure> make_engine_strips();
 /// Not in the paper: the laws driven through the measured nested cycles.
 std::unique_ptr<PaperFigure> make_measured_cycles();
 

@@ -24,11 +24,13 @@ void add_introduction(HtmlPage& page) {
   page.paragraph(
       "The figures of the founding paper (Wada, Kameda, Kakusho, Minoh, Kyoto University), remade with "
       "measured fabrics. Each "
-      "experiment runs in two forms. As printed: the equations to the letter, with bending forces on the end "
+      "experiment runs in two forms, Figures 4 and 6 to 8 also in a third: on the cloth engine, at rest. As "
+      "printed: the equations to the letter, with bending forces on the end "
       "particles only, "
       "the single branch of the measured loop, and no memory. Corrected: full gradients with the reaction on "
       "the middle "
-      "particle, the whole loop with memory, area weights. Both relax by the paper's per-particle descent, "
+      "particle, the whole loop with memory, area weights. These two relax by the paper's per-particle "
+      "descent, "
       "Eq. (6).");
   page.list({"1 gf = 9.80665e-3 N. Moments are per width, in gf·cm/cm; curvatures in 1/cm.",
              "Warp is blue and weft is orange, in every plot and picture.",
@@ -45,10 +47,12 @@ std::vector<std::unique_ptr<PaperFigure>> wanted_figures(int figure) {
   std::vector<std::unique_ptr<PaperFigure>> figures;
   if (wanted(1)) figures.push_back(make_figure_1());
   if (wanted(4)) figures.push_back(make_figure_4());
+  if (wanted(4)) figures.push_back(make_engine_drapes());
   if (wanted(6)) figures.push_back(make_figure_6());
   // The measured rigidities nearest to the graded family's: 0.067 to 0.064, 0.019 to 0.017 gf cm2/cm in warp.
   if (wanted(7)) figures.push_back(make_force_figure("7", "wool-tropical", "3"));
   if (wanted(8)) figures.push_back(make_force_figure("8", "polyester-faille", "1"));
+  if (wanted(6) || wanted(7) || wanted(8)) figures.push_back(make_engine_strips());
   if (wanted(1)) figures.push_back(make_measured_cycles());
   return figures;
 }

@@ -18,12 +18,8 @@ constexpr int kClampedColumns = 2;
 Vec3 arc_point(const PaperBending& scene, double curvature) {
   const LatticeModel& model = *scene.model;
   const Vec3& rest = model.rest_positions[static_cast<std::size_t>(scene.grip)];
-  const double start = (kClampedColumns - 1) * model.spacing, s = rest.x() - start, angle = curvature * s;
-  // sin(a)/a and (1 - cos a)/a without loss at a = 0
-  const double half = 0.5 * angle;
-  const double sinc = angle != 0.0 ? std::sin(angle) / angle : 1.0;
-  const double versine = angle != 0.0 ? std::sin(half) * std::sin(half) / half : 0.0;
-  return {start + s * sinc, rest.y(), s * versine};
+  const double start = (kClampedColumns - 1) * model.spacing;
+  return Vec3(start, rest.y(), 0.0) + paper_arc_point(rest.x() - start, curvature);
 }
 
 /// The weft triple with this middle node: index into the model's triples.
@@ -36,6 +32,15 @@ std::size_t weft_triple(const LatticeModel& model, int middle) {
 }
 
 }  // namespace
+
+Vec3 paper_arc_point(double length, double curvature) {
+  const double angle = curvature * length;
+  // sin(a)/a and (1 - cos a)/a without loss at a = 0
+  const double half = 0.5 * angle;
+  const double sinc = angle != 0.0 ? std::sin(angle) / angle : 1.0;
+  const double versine = angle != 0.0 ? std::sin(half) * std::sin(half) / half : 0.0;
+  return {length * sinc, 0.0, length * versine};
+}
 
 PaperBending make_paper_bending(const FabricLaws& laws, const PaperBendingOptions& options) {
   LatticeSpec spec;

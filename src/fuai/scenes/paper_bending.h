@@ -54,6 +54,10 @@ struct PaperBendingStage {
   std::vector<Vec3> positions;  ///< [m] (nodes)
 };
 
+/// The end of an arc that leaves the origin along x and bends up [m]: the way of the grip from the clamp's
+/// edge. @param length of the arc [m] @param curvature [1/m]. Thread class: any.
+Vec3 paper_arc_point(double length, double curvature);
+
 /// Builds the strip, flat.
 /// @throws Error (kUsage) when the sides do not fit the spacing or the solver refuses its options.
 /// Thread class: set-up.

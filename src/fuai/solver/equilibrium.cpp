@@ -45,7 +45,7 @@ EquilibriumReport find_equilibrium(const ClothModel& model, const ClothMaterial&
   implicit.iterations = options.iterations;
   implicit.reduction = options.reduction;
   implicit.gravity = options.gravity;
-  implicit.guards = false;  // the length of a step is limited instead: see the theory page
+  implicit.guards = options.guards;  // else the length of a step is limited instead: see the theory page
   implicit.preconditioner = options.preconditioner;
   ClothMaterial still = material;
   still.mass_drag = still.air_normal = still.air_tangential = still.viscosity_time = 0.0;

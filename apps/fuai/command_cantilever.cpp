@@ -1,0 +1,83 @@
+// `fuai cantilever`: a strip that hangs under its own weight, and the bending length it shows.
+// SPDX-License-Identifier: Apache-2.0
+#include <string>
+
+#include "commands.h"
+#include "fuai/core/error.h"
+#include "fuai/experiments/cantilever.h"
+#include "fuai/io/fabric_library.h"
+#include "fuai/units/constants.h"
+#include "fuai/units/parse.h"
+
+namespace fuai_app {
+
+using namespace fuai;
+
+namespace {
+
+double length_value(const std::string& text, const char* option) {
+  const double length = parse_value(text, kLength, option);
+  if (!(length > 0.0)) {
+    throw Error(ErrorKind::kUsage, std::string(option) + ": '" + text + "' is not more than 0", {},
+                "give a length such as 10cm");
+  }
+  return length;
+}
+
+Direction direction_value(const std::string& text) {
+  if (text == "warp") return Direction::kWarp;
+  if (text == "weft") return Direction::kWeft;
+  throw Error(ErrorKind::kUsage, "--direction: '" + text + "' is no direction of a strip", {},
+              "take warp or weft");
+}
+
+JsonValue json_of(const CantileverOptions& options, const CantileverResult& r) {
+  JsonValue json, assumptions{JsonValue::Array{}};
+  json.set("reach_m", r.reach).set("droop_m", r.droop);
+  json.set("tip_angle_deg", r.tip_angle / unit::kDegree);
+  json.set("chord_angle_deg", r.chord_angle / unit::kDegree);
+  json.set("bending_length_m", r.bending_length).set("bending_length_peirce_m", r.bending_length_peirce);
+  json.set("bending_rigidity_gf_cm2_per_cm", r.bending_rigidity / unit::kGfCm2PerCm);
+  json.set("length_m", options.length).set("width_m", options.width).set("spacing_m", r.spacing);
+  json.set("direction", options.direction == Direction::kWarp ? "warp" : "weft");
+  json.set("elastic", options.elastic);
+  json.set("residual", r.equilibrium.residual).set("converged", r.equilibrium.converged);
+  json.set("steps", r.equilibrium.steps);
+  for (const std::string& sentence : r.assumptions) assumptions.push(sentence);
+  return json.set("assumptions", assumptions);
+}
+
+}  // namespace
+
+int run_cantilever(const Console& console, const CantileverCommandOptions& command) {
+  CantileverOptions options;
+  options.direction = direction_value(command.direction);
+  options.length = length_value(command.length, "--length");
+  options.width = length_value(command.width, "--width");
+  if (!command.spacing.empty()) options.spacing = length_value(command.spacing, "--spacing");
+  options.elastic = command.elastic;
+  const Fabric fabric = load_fabric(command.fabric);
+  for (const std::string& warning : fabric.warnings) console.warn(warning);
+  const CantileverResult r = fuai::run_cantilever(make_fabric_laws(fabric), options, console.progress());
+  const auto centimetres = [](double x) { return format_number(x / unit::kCentimetre) + " cm"; };
+  const auto degrees = [](double x) { return format_number(x / unit::kDegree) + " deg"; };
+  console.line(fabric.name + ", " + command.direction + ", " + centimetres(options.length) +
+               (options.elastic ? ", without friction" : ""));
+  console.line("reach           " + centimetres(r.reach) + ", droop " + centimetres(r.droop));
+  console.line("angle below level  " + degrees(r.tip_angle) + " at the tip, " + degrees(r.chord_angle) +
+               " of the chord");
+  console.line("bending length  " + centimetres(r.bending_length) + " (Peirce's formula " +
+               centimetres(r.bending_length_peirce) + ")");
+  console.line("rigidity        " + format_number(r.bending_rigidity / unit::kGfCm2PerCm) +
+               " gf cm2/cm from weight and bending length");
+  for (const std::string& sentence : r.assumptions) console.detail("assumed: " + sentence);
+  JsonValue json = json_of(options, r);
+  console.result(json.set("fabric", fabric.id));
+  if (r.equilibrium.converged) return 0;
+  throw Error(ErrorKind::kCheckFailed,
+              "the strip did not come to rest: " + format_number(r.equilibrium.residual) +
+                  " of its weight is out of balance",
+              {}, "take another --spacing");
+}
+
+}  // namespace fuai_app

@@ -1,0 +1,145 @@
+// Runs the paper's drape and strip on the cloth engine.
+// SPDX-License-Identifier: Apache-2.0
+#include "fuai/experiments/paper_engine.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fuai/cloth/cloth_piece.h"
+#include "fuai/experiments/paper_context.h"
+#include "fuai/io/fabric_library.h"
+#include "fuai/scenes/paper_bending.h"
+#include "fuai/scenes/paper_drape.h"
+#include "fuai/sim/simulation.h"
+#include "fuai/solver/cloth_energy.h"
+
+namespace fuai {
+namespace {
+
+/// The strip has no weight to measure its rest by; its reaction is 1e-5 N to 1e-2 N.
+constexpr double kStripRest = 2e-7;  // [N]
+/// Drapes take some 200 to 700 steps; more are a limit cycle.
+constexpr int kDrapeSteps = 1500;
+/// The grip moves at most this far [m] before the strip follows.
+constexpr double kLargestMove = 0.002;
+
+ClothMaterial material_of(const FabricLaws& laws) {
+  ClothMaterial material = make_cloth_material(laws);
+  // At rest only the laws count.
+  material.mass_drag = material.air_normal = material.air_tangential = material.viscosity_time = 0.0;
+  return material;
+}
+
+/// Largest force out of balance on a free slot, in weights of a node [-].
+double node_residual(const ClothModel& model, const ClothMaterial& material, const ClothState& state,
+                     const Vec3& gravity) {
+  std::vector<Vec3> forces(state.positions.size());
+  evaluate_cloth(model, material, state, state.positions, {0.0, gravity}, forces);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    if (model.live[i] == 0 || model.fixed[i] != 0) continue;
+    largest = std::max(largest, (forces[i] + model.areal_mass * model.node_area[i] * gravity).norm());
+  }
+  return largest / (model.areal_mass * model.spacing * model.spacing * kStandardGravity);
+}
+
+}  // namespace
+
+EngineDrape drape_on_engine(const std::string& fabric_id, double spacing, const Progress& progress) {
+  const PaperDrapeOptions paper;
+  const Fabric fabric = load_fabric(fabric_id);
+  const FabricLaws laws = make_fabric_laws(fabric);
+  ClothPieceSpec spec;
+  spec.outline = make_rectangle_outline(paper.edge, paper.edge);
+  spec.spacing = spacing;
+  spec.areal_mass = laws.areal_mass;
+  const double block = paper.fixed_edge;
+  spec.clamps.push_back({make_rectangle_region(Vec2(-paper.edge, -paper.edge), Vec2(block, block)), true});
+  EngineDrape drape;
+  drape.id = fabric_id;
+  drape.name = fabric.name;
+  drape.spacing = spacing;
+  drape.model = make_cloth_model(spec);
+  drape.state = make_cloth_state(drape.model);
+  const ClothMaterial material = material_of(laws);
+  EquilibriumOptions options;
+  options.most_steps = kDrapeSteps;
+  const Stopwatch watch;
+  drape.report = find_equilibrium(drape.model, material, drape.state, options, progress);
+  if (!drape.report.converged) {
+    // It runs to and fro across a corner of a law: from there with a search along each step.
+    const EquilibriumReport first = drape.report;
+    options.guards = true;
+    drape.report = find_equilibrium(drape.model, material, drape.state, options, progress);
+    drape.report.steps += first.steps;
+    drape.report.iterations += first.iterations;
+  }
+  drape.seconds = watch.seconds();
+  const ClothModel& model = drape.model;
+  const auto height = [&](int column, int row) {
+    return drape.state.positions[static_cast<std::size_t>(model.slot(column, row))].z();
+  };
+  drape.corner_z = height(model.columns - 1, model.rows - 1);
+  drape.side_z = height(model.columns - 1, 0);
+  drape.max_strain = max_edge_strain(model, drape.state);
+  drape.residual = node_residual(model, material, drape.state, options.gravity);
+  return drape;
+}
+
+EngineStrip bend_on_engine(const std::string& fabric_id, double spacing, std::span<const double> curvatures,
+                           const Progress& progress) {
+  const PaperBendingOptions paper;
+  const Fabric fabric = load_fabric(fabric_id);
+  const FabricLaws laws = make_fabric_laws(fabric);
+  const double held = paper.spacing;  // two of the paper's columns
+  ClothPieceSpec spec;
+  spec.outline = make_rectangle_outline(paper.length, paper.width);
+  spec.spacing = spacing;
+  spec.areal_mass = laws.areal_mass;
+  spec.clamps.push_back({HalfPlaneRegion{Vec2::UnitX(), held}, true});
+  spec.pins.emplace_back(paper.length, 0.5 * paper.width);
+  EngineStrip strip;
+  strip.id = fabric_id;
+  strip.name = fabric.name;
+  strip.spacing = spacing;
+  strip.model = make_cloth_model(spec);
+  strip.grip = strip.model.slot(strip.model.columns - 1, strip.model.rows / 2);
+  const auto grip = static_cast<std::size_t>(strip.grip);
+  const ClothMaterial material = material_of(laws);
+  ClothState state = make_cloth_state(strip.model);
+  EquilibriumOptions options;
+  options.gravity = Vec3::Zero();
+  options.least_force = kStripRest;
+  const auto arc_point = [&](double curvature) -> Vec3 {
+    return Vec3(held, 0.5 * paper.width, 0.0) + paper_arc_point(paper.length - held, curvature);
+  };
+  const Stopwatch watch;
+  double from = 0.0;
+  for (double curvature : curvatures) {
+    const double way = (arc_point(curvature) - arc_point(from)).norm();
+    const int moves = std::max(1, static_cast<int>(std::ceil(way / kLargestMove)));
+    EngineBendingStage stage;
+    for (int move = 1; move <= moves; ++move) {
+      state.positions[grip] = arc_point(from + (curvature - from) * move / moves);
+      const EquilibriumReport report = find_equilibrium(strip.model, material, state, options);
+      stage.report.steps += report.steps;
+      stage.report.iterations += report.iterations;
+      stage.report.residual = report.residual;
+      stage.report.converged = report.converged;
+    }
+    from = curvature;
+    std::vector<Vec3> forces(state.positions.size());
+    evaluate_cloth(strip.model, material, state, state.positions, {}, forces);
+    stage.arc_curvature = curvature;
+    stage.reaction = forces[grip];
+    stage.max_strain = max_edge_strain(strip.model, state);
+    stage.positions = state.positions;
+    strip.stages.push_back(std::move(stage));
+    if (progress)
+      progress("", static_cast<double>(strip.stages.size()) / static_cast<double>(curvatures.size()));
+  }
+  strip.seconds = watch.seconds();
+  return strip;
+}
+
+}  // namespace fuai
