@@ -15,8 +15,8 @@ namespace {
 
 /// A station pulls on the two before and the two behind it: with two numbers each, six diagonals.
 constexpr int kReach = 2, kColours = 2 * kReach + 1, kBand = 2 * kReach + 2;
-/// Central differences over this part of a spacing either way: rounding of the positions then makes some 1e-9 of
-/// the stiffest, stretching, which must not hide the softest, bending, 1e7 times softer.
+/// Central differences over this part of a spacing either way: rounding of the positions then makes some 1e-9
+/// of the stiffest, stretching, which must not hide the softest, bending, 1e7 times softer.
 constexpr double kDifference = 1e-6;
 constexpr double kGrowth = 4.0, kShrink = 0.25, kLongestDt = 1e4, kShortestDt = 1e-7;
 constexpr int kHalvings = 5;
