@@ -85,8 +85,8 @@ CellCloth fill_cells(const Polygon& outline, ClothModel& model) {
   CellCloth cloth{std::vector<double>(cells.full.size(), 0.0),
                   std::vector<Vec2>(cells.full.size(), Vec2::Zero())};
   for (int cell = 0; cell < model.slot_count(); ++cell) {
-    if (cells.full[at(cell)] != 0)
-      cloth.add(cell, 1.0, Vec2(cell % model.columns + 0.5, cell / model.columns + 0.5));
+    const int column = cell % model.columns, row = cell / model.columns;
+    if (cells.full[at(cell)] != 0) cloth.add(cell, 1.0, Vec2(column + 0.5, row + 0.5));
   }
   for (const CutPiece& piece : cells.pieces) {
     const double area = polygon_area(piece.polygon);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -24,7 +25,7 @@ void cut(const std::vector<Polygon>& polygons, const Block& block, int columns, 
   // Corners on lattice lines are whole numbers, so a full block has exactly its area.
   if (area == static_cast<double>(block.size(0)) * block.size(1)) {
     for (int row = block.low[1]; row < block.high[1]; ++row) {
-      const auto begin = cells.full.begin() + row * columns;
+      const auto begin = cells.full.begin() + static_cast<std::ptrdiff_t>(row) * columns;
       std::fill(begin + block.low[0], begin + block.high[0], std::uint8_t{1});
     }
     return;

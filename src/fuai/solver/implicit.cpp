@@ -486,7 +486,8 @@ void SolverImplicit<T>::restore(const ClothState& state) {
   };
   for (int row = 0; row < g.rows; ++row) {
     for (int column = 0; column < g.columns; ++column) {
-      const auto i = static_cast<std::size_t>(row * columns_ + column);
+      const auto i = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                     static_cast<std::size_t>(column);
       const std::ptrdiff_t p = g.at(row) + column;
       put(g.x, p, state.positions[i]);
       put(g.v, p, state.velocities[i]);
@@ -515,7 +516,7 @@ void SolverImplicit<T>::restore(const ClothState& state) {
 template <class T>
 void SolverImplicit<T>::save(ClothState& state) const {
   const ImplicitGrid<T>& g = grid_;
-  const auto count = static_cast<std::size_t>(g.rows * columns_);
+  const auto count = static_cast<std::size_t>(g.rows) * static_cast<std::size_t>(columns_);
   state.positions.resize(count);
   state.velocities.resize(count);
   for (auto* memory :
@@ -528,7 +529,8 @@ void SolverImplicit<T>::save(ClothState& state) const {
   };
   for (int row = 0; row < g.rows; ++row) {
     for (int column = 0; column < g.columns; ++column) {
-      const auto i = static_cast<std::size_t>(row * columns_ + column);
+      const auto i = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                     static_cast<std::size_t>(column);
       const std::ptrdiff_t p = g.at(row) + column;
       state.positions[i] = vector_at(g.x, p);
       state.velocities[i] = vector_at(g.v, p);

@@ -4,16 +4,18 @@
 //
 // Elements of a row are computed once into a ring of three rows of scratch, then every node collects from its
 // neighbours: no scattered writes, and the rows at the border of a share are simply computed twice.
-#if defined(FUAI_IMPLICIT_EVALUATE_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef FUAI_IMPLICIT_EVALUATE_INL_H_
-#undef FUAI_IMPLICIT_EVALUATE_INL_H_
+#if defined(FUAI_IMPLICIT_EVALUATE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef FUAI_IMPLICIT_EVALUATE_INL_H
+#undef FUAI_IMPLICIT_EVALUATE_INL_H
 #else
-#define FUAI_IMPLICIT_EVALUATE_INL_H_
+#define FUAI_IMPLICIT_EVALUATE_INL_H
 #endif
 
 #include "fuai/solver/implicit_kernels.h"
 #include "fuai/solver/implicit_lanes-inl.h"
 
+// Products of rows, columns and lanes: a lattice has at most 4096 slots a side.
+// NOLINTBEGIN(bugprone-implicit-widening-of-multiplication-result)
 HWY_BEFORE_NAMESPACE();
 namespace fuai {
 namespace HWY_NAMESPACE {
@@ -366,4 +368,5 @@ void commit_rows(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, int be
 }  // namespace HWY_NAMESPACE
 }  // namespace fuai
 HWY_AFTER_NAMESPACE();
+// NOLINTEND(bugprone-implicit-widening-of-multiplication-result)
 #endif  // include guard of the instruction set

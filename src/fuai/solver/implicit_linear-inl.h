@@ -1,15 +1,17 @@
 // The linearised step in lanes: the product with a vector, and the blocks that the line solves need; included
 // once per instruction set. SPDX-License-Identifier: Apache-2.0
 // Source: docs/theory/implicit-step.md.
-#if defined(FUAI_IMPLICIT_LINEAR_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef FUAI_IMPLICIT_LINEAR_INL_H_
-#undef FUAI_IMPLICIT_LINEAR_INL_H_
+#if defined(FUAI_IMPLICIT_LINEAR_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef FUAI_IMPLICIT_LINEAR_INL_H
+#undef FUAI_IMPLICIT_LINEAR_INL_H
 #else
-#define FUAI_IMPLICIT_LINEAR_INL_H_
+#define FUAI_IMPLICIT_LINEAR_INL_H
 #endif
 
 #include "fuai/solver/implicit_evaluate-inl.h"
 
+// Products of rows, columns and lanes: a lattice has at most 4096 slots a side.
+// NOLINTBEGIN(bugprone-implicit-widening-of-multiplication-result)
 HWY_BEFORE_NAMESPACE();
 namespace fuai {
 namespace HWY_NAMESPACE {
@@ -291,4 +293,5 @@ void assemble_vectors(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, b
 }  // namespace HWY_NAMESPACE
 }  // namespace fuai
 HWY_AFTER_NAMESPACE();
+// NOLINTEND(bugprone-implicit-widening-of-multiplication-result)
 #endif  // include guard of the instruction set

@@ -4,17 +4,19 @@
 //
 // Block Thomas on symmetric 3 x 3 blocks, with E_k = D_k - C_{k-1} E_{k-1}^-1 C_{k-1}:
 //   forward   w_k = E_k^-1 (f_k + C_{k-1} w_{k-1})        backward   z_k = w_k + E_k^-1 C_k z_{k+1}
-#if defined(FUAI_IMPLICIT_LINES_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef FUAI_IMPLICIT_LINES_INL_H_
-#undef FUAI_IMPLICIT_LINES_INL_H_
+#if defined(FUAI_IMPLICIT_LINES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef FUAI_IMPLICIT_LINES_INL_H
+#undef FUAI_IMPLICIT_LINES_INL_H
 #else
-#define FUAI_IMPLICIT_LINES_INL_H_
+#define FUAI_IMPLICIT_LINES_INL_H
 #endif
 
 #include <type_traits>
 
 #include "fuai/solver/implicit_linear-inl.h"
 
+// Products of rows, columns and lanes: a lattice has at most 4096 slots a side.
+// NOLINTBEGIN(bugprone-implicit-widening-of-multiplication-result)
 HWY_BEFORE_NAMESPACE();
 namespace fuai {
 namespace HWY_NAMESPACE {
@@ -197,4 +199,5 @@ void average_vectors(const ImplicitGrid<T>& g, int begin, int end) {
 }  // namespace HWY_NAMESPACE
 }  // namespace fuai
 HWY_AFTER_NAMESPACE();
+// NOLINTEND(bugprone-implicit-widening-of-multiplication-result)
 #endif  // include guard of the instruction set

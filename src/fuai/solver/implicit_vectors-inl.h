@@ -1,10 +1,10 @@
 // Sums and updates of whole fields in lanes; included once per instruction set.
 // SPDX-License-Identifier: Apache-2.0
-#if defined(FUAI_IMPLICIT_VECTORS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef FUAI_IMPLICIT_VECTORS_INL_H_
-#undef FUAI_IMPLICIT_VECTORS_INL_H_
+#if defined(FUAI_IMPLICIT_VECTORS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef FUAI_IMPLICIT_VECTORS_INL_H
+#undef FUAI_IMPLICIT_VECTORS_INL_H
 #else
-#define FUAI_IMPLICIT_VECTORS_INL_H_
+#define FUAI_IMPLICIT_VECTORS_INL_H
 #endif
 
 #include "fuai/solver/implicit_lanes-inl.h"
