@@ -154,10 +154,10 @@ void add_scene_commands(CLI::App& app, Parsed& parsed) {
   render->add_option("SCENE", parsed.render.scene, "A name that `fuai scenes` lists")->required();
   render->add_option("--fabric", parsed.render.fabric, "Bundled name or path of a fabric file")
       ->capture_default_str();
-  render->add_option(
-      "--time", parsed.render.time,
-      "Time with unit, e.g. 2s. Default: the scene's own. Scenes of the paper count ten updates "
-      "a second, as the paper did; their default: at rest");
+  render->add_option("--time", parsed.render.time,
+                     "Time with unit, e.g. 2s. Default: when the scene shows what it is about. Scenes of the "
+                     "paper count ten updates "
+                     "a second, as the paper did; their default: at rest");
   render->add_option("-o,--output", parsed.render.output, "PNG file to write")->required();
   add_size_options(*render, parsed.render.size, parsed.render.spacing);
   render->add_option("--width", parsed.render.width, "Pixels")

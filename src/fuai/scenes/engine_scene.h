@@ -75,8 +75,12 @@ struct EngineScene {
   std::vector<GraspSpec> hands;               ///< how each hand grips; at most kMostHands
   std::unique_ptr<const SceneMotion> motion;  ///< none: nothing moves, and there are no hands
   double seconds = 0.0;                       ///< how long there is something to see [s]
+  double picture_time = 0.0;                  ///< when a picture shows what it is about [s]; 0: at the end
   bool about_speed = false;                   ///< a solver without time has nothing to say about it
   SceneView view;
+
+  /// When to take a picture [s]. Thread class: any.
+  double shown_at() const noexcept { return picture_time > 0.0 ? picture_time : seconds; }
 };
 
 /// Which holds of a simulation the hands of a scene have.

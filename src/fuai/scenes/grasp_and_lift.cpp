@@ -41,6 +41,7 @@ EngineScene make_grasp_and_lift(const FabricLaws& laws, const SceneOptions& opti
   scene.motion =
       std::make_unique<LiftAndLetGo>(start_position(scene, hand.centre), kLift * side / kLiftOfSheet);
   scene.seconds = 4.0;
+  scene.picture_time = 0.5 * (kLiftEnds + kLetsGo);  // while it is held up
   scene.view.azimuth = -105.0 * std::numbers::pi / 180.0;
   scene.view.elevation = 20.0 * std::numbers::pi / 180.0;
   scene.view.low = Vec3(0.0, 0.3 * side, -0.95 * side);
