@@ -182,6 +182,8 @@ TEST_SUITE("property") {
     const EngineScene scene = make_grasp_and_lift(cloth_laws(), {13, 0.0});
     SceneRunner<float> runner(scene);
     CHECK(!runner.hand_reading(0).holds);
+    CHECK(scene.motion->hand(0, scene.shown_at()).holds);  // a picture shows the lift, not the end
+    CHECK(make_bending(cloth_laws()).shown_at() == 1.0);
     run(runner, 1500);
     const GraspReading held = runner.hand_reading(0);
     CHECK(held.holds);
