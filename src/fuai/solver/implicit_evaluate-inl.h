@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Source: docs/theory/engine.md (energies and symbols), docs/theory/implicit-step.md (linearisation).
 //
-// Elements of a row are computed once into a ring of three rows of scratch, then every node collects from its
-// neighbours: no scattered writes, and the rows at the border of a share are simply computed twice.
+// Rows are gone through from the first to the last, vectors from west to east. What the elements of a row put
+// on their own nodes and on the next row is summed in registers that move along with the vector; on the row
+// before it is added in memory. Every sum has the same order however the rows are shared out: the elements of
+// the rows just outside a share are computed too, and only what falls into the share is kept.
 #if defined(FUAI_IMPLICIT_EVALUATE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FUAI_IMPLICIT_EVALUATE_INL_H
 #undef FUAI_IMPLICIT_EVALUATE_INL_H
@@ -20,31 +22,43 @@ HWY_BEFORE_NAMESPACE();
 namespace fuai {
 namespace HWY_NAMESPACE {
 
-/// Fields of one row of scratch. Gradients: on the next node of a yarn (U, with the tension of the edge) and
-/// on the one before (L); of a cell along its diagonals (P: x11 against x00, M: x10 against x01) and its
-/// twist (D).
-enum ScratchField { kU1 = 0, kL1 = 3, kU2 = 6, kL2 = 9, kP = 12, kM = 15, kD = 18, kScratchFields = 21 };
-inline constexpr int kRing = 3;
-
+/// Sums of one row of nodes while its vectors are gone through: what elements put on their own node (`here`),
+/// on those before and after along the weft.
 template <class T>
-HWY_INLINE std::ptrdiff_t scratch_width(const ImplicitGrid<T>& g) {
-  return g.stride + 2 * static_cast<std::ptrdiff_t>(kVectorBytes / sizeof(T));
-}
-/// One row of the ring; number 0 of a field is column 0.
-template <class T>
-struct ScratchRow {
-  T* base;
-  std::ptrdiff_t width;
-  Field3<T> field(int first) const {
-    T* start = base + first * width + static_cast<std::ptrdiff_t>(kVectorBytes / sizeof(T));
-    return {start, start + width, start + 2 * width};
+class RowSums {
+ public:
+  /// @param out null: the sums of this row are not wanted
+  HWY_INLINE RowSums(const ImplicitGrid<T>& g, const Turn<T>& turn, const Field3<T>* out, int row)
+      : turn_(turn), out_(out), row_(g.at(row)), end_(row_ + g.stride), lanes_(g.lanes) {
+    before_ = after_ = first_west_ = zero3<T>();
   }
+  /// Vector by vector. @param west,here,east what this vector's elements add
+  HWY_INLINE void add_vector(std::ptrdiff_t p, const Lane3<T>& west, const Lane3<T>& here,
+                             const Lane3<T>& east) {
+    if (p == row_) {
+      first_west_ = turn_.down(west);
+    } else {
+      put(add(before_, west), p - lanes_);
+    }
+    before_ = add(here, after_);
+    after_ = east;
+  }
+  /// What is left at the end of the row: the last vector, and what goes round to the first.
+  HWY_INLINE void finish() const {
+    put(add(before_, first_west_), end_ - lanes_);
+    if (out_ != nullptr) put(add(load3(*out_, row_), turn_.up(after_)), row_);
+  }
+
+ private:
+  HWY_INLINE void put(const Lane3<T>& sum, std::ptrdiff_t p) const {
+    if (out_ != nullptr) store3(sum, *out_, p);
+  }
+  const Turn<T>& turn_;
+  const Field3<T>* out_;
+  std::ptrdiff_t row_, end_;
+  int lanes_;
+  Lane3<T> before_, after_, first_west_;
 };
-template <class T>
-HWY_INLINE ScratchRow<T> scratch_row(const ImplicitGrid<T>& g, T* scratch, int row) {
-  const std::ptrdiff_t width = scratch_width(g);
-  return {scratch + ((row + kRing) % kRing) * kScratchFields * width, width};
-}
 
 /// The five nodes of a cross and the element they belong to.
 template <class T>
@@ -113,8 +127,8 @@ HWY_INLINE Curvature<T> curvature(const ImplicitConstants<T>& k, const Lane3<T>&
 
 /// 1 where the area is positive, else 0.
 template <class T>
-HWY_INLINE Lane<T> has_cloth(const T* area) {
-  return hn::IfThenElseZero(hn::Gt(load(area), hn::Zero(Tag<T>())), set(T(1)));
+HWY_INLINE Lane<T> has_cloth(Lane<T> area) {
+  return hn::IfThenElseZero(hn::Gt(area, hn::Zero(Tag<T>())), set(T(1)));
 }
 
 /// Bending of a row at one block of columns: gradients into U and L, strains, linearisation.
@@ -122,15 +136,17 @@ template <class T>
 struct BendBlock {
   Lane3<T> normal;
   Lane3<T> U1, L1, U2, L2;
-  Lane<T> kappa1, kappa2, stiff1, stiff2, cross;
+  Lane<T> kappa1, kappa2, stiff1, stiff2, cross, fold1, fold2;
 };
 template <class T>
-HWY_INLINE BendBlock<T> bend(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, std::ptrdiff_t p,
+HWY_INLINE BendBlock<T> bend(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, const Place<T>& at,
                              const Cross<T>& edges) {
   const Lane<T> zero = hn::Zero(Tag<T>());
   // A neighbour is one that a yarn edge with cloth leads to; the last slot of a row has none of the next row.
-  const Lane<T> e_next = has_cloth(g.weft_edge + p), e_back = has_cloth(g.weft_edge + p - 1);
-  const Lane<T> n_next = has_cloth(g.warp_edge + p), n_back = has_cloth(g.warp_edge + p - g.stride);
+  const std::ptrdiff_t p = at.p;
+  const Lane<T> e_next = has_cloth<T>(load(g.weft_edge + p)), e_back = has_cloth<T>(at.west(g.weft_edge));
+  const Lane<T> n_next = has_cloth<T>(load(g.warp_edge + p));
+  const Lane<T> n_back = has_cloth<T>(load(g.warp_edge + p - g.stride));
   const Lane3<T> a1 = scale(e_next, edges.weft_next), b1 = scale(e_back, edges.weft_back);
   const Lane3<T> a2 = scale(n_next, edges.warp_next), b2 = scale(n_back, edges.warp_back);
   const Lane3<T> T1 = add(a1, b1), T2 = add(a2, b2);
@@ -154,9 +170,6 @@ HWY_INLINE BendBlock<T> bend(const ImplicitGrid<T>& g, const ImplicitConstants<T
     M2 = hn::NegMulAdd(soft2, c2.kappa, hn::MulAdd(K12, c1.kappa, M2));
     K1 = hn::Max(hn::Sub(K1, soft1), zero);
     K2 = hn::Max(hn::Sub(K2, soft2), zero);
-    // Keep the 2 x 2 block positive semidefinite whatever the tangents are.
-    const Lane<T> most = hn::Sqrt(hn::Mul(K1, K2));
-    K12 = hn::Min(hn::Max(K12, hn::Neg(most)), most);
   }
   const Lane<T> m1 = hn::Mul(M1, c1.slope), m2 = hn::Mul(M2, c2.slope);
   const Lane<T> w1 = hn::Mul(m1, c1.inverse_chord), w2 = hn::Mul(m2, c2.inverse_chord);
@@ -178,7 +191,20 @@ HWY_INLINE BendBlock<T> bend(const ImplicitGrid<T>& g, const ImplicitConstants<T
   const Lane<T> f1 = hn::Mul(c1.slope, c1.inverse_chord), f2 = hn::Mul(c2.slope, c2.inverse_chord);
   block.stiff1 = hn::Mul(K1, hn::Mul(f1, f1));
   block.stiff2 = hn::Mul(K2, hn::Mul(f2, f2));
-  block.cross = hn::Mul(K12, hn::Mul(f1, f2));
+  const Lane<T> most = set(k.most_fold);
+  // What is left out below (change of the chord, tilt of the normal) is what resists in a tight fold.
+  const auto fold = [&](Lane<T> stiff, const Curvature<T>& c) HWY_ATTR {
+    const Lane<T> bent = hn::Mul(dot(c.D, c.D), hn::Mul(c.inverse_chord, c.inverse_chord));
+    const Lane<T> tight = hn::Max(hn::Sub(bent, set(T(0.25))), zero);
+    return hn::Min(hn::Mul(hn::Add(stiff, stiff), tight), most);
+  };
+  block.fold1 = fold(block.stiff1, c1);
+  block.fold2 = fold(block.stiff2, c2);
+  block.stiff1 = hn::Min(block.stiff1, most);
+  block.stiff2 = hn::Min(block.stiff2, most);
+  // Keep the 2 x 2 block positive semidefinite whatever the tangents are.
+  const Lane<T> both = hn::Sqrt(hn::Mul(block.stiff1, block.stiff2));
+  block.cross = hn::Min(hn::Max(hn::Mul(K12, hn::Mul(f1, f2)), hn::Neg(both)), both);
   return block;
 }
 
@@ -189,9 +215,10 @@ struct CellBlock {
   Lane<T> gamma;
 };
 template <class T>
-HWY_INLINE CellBlock<T> cell(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, std::ptrdiff_t p,
-                             const Lane3<T>& x00, const Lane3<T>& x10) {
-  const Lane3<T> x01 = load3(g.x, p + g.stride), x11 = load3(g.x, p + g.stride + 1);
+HWY_INLINE CellBlock<T> cell(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, const Place<T>& at) {
+  const std::ptrdiff_t p = at.p;
+  const Lane3<T> x00 = load3(g.x, p), x10 = at.east3(g.x);
+  const Lane3<T> x01 = load3(g.x, p + g.stride), x11 = at.east3(g.x, g.stride);
   const Lane3<T> plus = sub(x11, x00), minus = sub(x10, x01);
   const Lane<T> half = set(T(0.5) * k.inverse_h);
   const Lane3<T> a = scale(half, add(plus, minus)), b = scale(half, sub(plus, minus));
@@ -233,14 +260,18 @@ HWY_INLINE Lane3<T> outer_force(const ImplicitGrid<T>& g, const ImplicitConstant
                          hn::Add(v.z, set(s.gravity_dt[2]))};
   const Lane3<T> moved = sub(x, xn);
   const Lane<T> area = load(g.node_area + p);
-  const Lane<T> inertia = hn::Mul(hn::Mul(area, load(g.mobile + p)), set(k.areal_mass * s.inertia));
+  const Lane<T> inertia = hn::Mul(hn::Max(area, zero), set(k.areal_mass * s.inertia));
   Lane3<T> force = scale(inertia, sub(scale(set(s.velocity_gain), push), moved));
+  if (g.air == nullptr) {
+    if (linearise) store(inertia, g.ground + p);
+    return force;
+  }
   const Lane3<T> slip = {hn::Sub(moved.x, set(s.wind_dt[0])), hn::Sub(moved.y, set(s.wind_dt[1])),
                          hn::Sub(moved.z, set(s.wind_dt[2]))};
   const Lane3<T> against = {hn::NegMulAdd(set(s.wind_dt[0]), set(s.inverse_dt), v.x),
                             hn::NegMulAdd(set(s.wind_dt[1]), set(s.inverse_dt), v.y),
                             hn::NegMulAdd(set(s.wind_dt[2]), set(s.inverse_dt), v.z)};
-  const Lane<T> rate = hn::Mul(area, set(s.inverse_dt));
+  const Lane<T> rate = hn::Mul(hn::Abs(area), set(s.inverse_dt));
   const Lane<T> speed_n = dot(n, against);
   const Lane<T> speed_t2 = hn::Max(hn::NegMulAdd(speed_n, speed_n, dot(against, against)), zero);
   const Lane<T> tangential = hn::Mul(hn::Mul(rate, set(k.air_tangential)), root<T>(speed_t2));
@@ -255,18 +286,42 @@ HWY_INLINE Lane3<T> outer_force(const ImplicitGrid<T>& g, const ImplicitConstant
   return force;
 }
 
-/// Computes the elements of one row into the ring; what belongs to the nodes of the row itself is written
-/// only when the row is the caller's own.
+/// Where what the elements of a row put on nodes is wanted, and whether what belongs to the row itself is.
+struct RowPart {
+  int row;
+  bool below, own, above;
+};
+/// The parts of row `row` that fall into the share [begin, end).
+inline RowPart row_part(int row, int begin, int end) {
+  return {row, row > begin, row >= begin && row < end, row + 1 < end};
+}
+
 template <class T>
-HWY_NOINLINE void element_row(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k,
-                              const ImplicitStepConstants<T>& s, ScratchRow<T> out, int row, bool own,
-                              bool linearise) {
+HWY_INLINE void store_linearised(const ImplicitGrid<T>& g, const Tension<T>& weft, const Tension<T>& warp,
+                                 const BendBlock<T>& bends, std::ptrdiff_t p) {
+  store3(weft.axis, g.weft_axis, p);
+  store3(warp.axis, g.warp_axis, p);
+  store3(bends.normal, g.normal, p);
+  store(bends.stiff1, g.weft_stiff + p);
+  store(bends.stiff2, g.warp_stiff + p);
+  if (g.cross_stiff != nullptr) store(bends.cross, g.cross_stiff + p);
+}
+
+/// Yarns and their bending, inertia, weight and air of a row.
+template <class T>
+HWY_NOINLINE void yarn_row(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k,
+                           const ImplicitStepConstants<T>& s, const RowPart part, bool linearise) {
   const std::ptrdiff_t S = g.stride;
-  const int lanes = lanes_of<T>();
-  for (int c = 0; c < g.width; c += lanes) {
-    const std::ptrdiff_t p = g.at(row) + c;
-    const Lane3<T> x = load3(g.x, p), east = load3(g.x, p + 1), north = load3(g.x, p + S);
-    const Cross<T> edges = {sub(east, x), sub(x, load3(g.x, p - 1)), sub(north, x),
+  const Turn<T> turn;
+  RowSums<T> own(g, turn, part.own ? &g.force : nullptr, part.row);
+  // Stiffness across a weft edge: of its tension, and of folds at both its ends.
+  Lane<T> side = hn::Zero(Tag<T>()), first_fold = side;
+  const bool keep = part.own && linearise;
+  for (int v = 0; v < g.vectors; ++v) {
+    const Place<T> at(g, turn, part.row, v);
+    const std::ptrdiff_t p = at.p;
+    const Lane3<T> x = load3(g.x, p);
+    const Cross<T> edges = {sub(at.east3(g.x), x), sub(x, at.west3(g.x)), sub(load3(g.x, p + S), x),
                             sub(x, load3(g.x, p - S))};
     const Tension<T> weft =
         tension(k, k.weft_tension, g.memory_weft_tension, p, edges.weft_next, load(g.weft_edge + p),
@@ -274,67 +329,76 @@ HWY_NOINLINE void element_row(const ImplicitGrid<T>& g, const ImplicitConstants<
     const Tension<T> warp =
         tension(k, k.warp_tension, g.memory_warp_tension, p, edges.warp_next, load(g.warp_edge + p),
                 set(k.viscosity_warp * s.inverse_dt), load(g.warp_strain_n + p));
-    const BendBlock<T> bends = bend(g, k, p, edges);
-    const CellBlock<T> shear = cell(g, k, p, x, east);
-    store3(add(bends.U1, weft.gradient), out.field(kU1), c);
-    store3(bends.L1, out.field(kL1), c);
-    store3(add(bends.U2, warp.gradient), out.field(kU2), c);
-    store3(bends.L2, out.field(kL2), c);
-    store3(shear.P, out.field(kP), c);
-    store3(shear.M, out.field(kM), c);
-    store3(shear.D, out.field(kD), c);
-    if (!own) continue;
-    store3(outer_force(g, k, s, p, x, bends.normal, linearise), g.force, p);
-    store(bends.kappa1, g.strain[0] + p);
-    store(bends.kappa2, g.strain[1] + p);
-    store(shear.gamma, g.strain[2] + p);
-    store(weft.strain, g.strain[3] + p);
-    store(warp.strain, g.strain[4] + p);
+    const BendBlock<T> bends = bend(g, k, at, edges);
+    const Lane3<T> U1 = add(bends.U1, weft.gradient), U2 = add(bends.U2, warp.gradient);
+    Lane3<T> here = add(add(U1, bends.L1), add(U2, bends.L2));
+    if (part.own) {
+      here = add(here, outer_force(g, k, s, p, x, bends.normal, linearise));
+      // Of the row before, which was first; its sums are here already.
+      here = add(here, load3(g.force, p));
+      store(bends.kappa1, g.strain[0] + p);
+      store(bends.kappa2, g.strain[1] + p);
+      store(weft.strain, g.strain[3] + p);
+      store(warp.strain, g.strain[4] + p);
+    }
+    own.add_vector(p, scale(set(T(-1)), bends.L1), here, scale(set(T(-1)), U1));
+    if (part.above) store3(scale(set(T(-1)), U2), g.force, p + S);
+    if (part.below) store3(sub(load3(g.force, p - S), bends.L2), g.force, p - S);
     if (!linearise) continue;
-    store3(weft.axis, g.weft_axis, p);
-    store3(warp.axis, g.warp_axis, p);
-    store(weft.side, g.weft_side + p);
-    store(warp.side, g.warp_side + p);
-    store3(bends.normal, g.normal, p);
-    store(bends.stiff1, g.weft_stiff + p);
-    store(bends.stiff2, g.warp_stiff + p);
-    if (g.cross_stiff != nullptr) store(bends.cross, g.cross_stiff + p);
-    store3(shear.plus, g.shear_plus, p);
-    store3(shear.minus, g.shear_minus, p);
+    if (part.below) store(hn::Add(load(g.warp_side + p - S), bends.fold2), g.warp_side + p - S);
+    if (!keep) continue;
+    store_linearised(g, weft, warp, bends, p);
+    store(hn::Add(warp.side, bends.fold2), g.warp_side + p);
+    if (v == 0) {
+      first_fold = turn.down(bends.fold1);
+    } else {
+      store(hn::Add(side, bends.fold1), g.weft_side + p - g.lanes);
+    }
+    side = hn::Add(weft.side, bends.fold1);
   }
+  own.finish();
+  if (keep) store(hn::Add(side, first_fold), g.weft_side + g.at(part.row) + g.stride - g.lanes);
 }
 
-/// What the neighbours of a row's nodes put on them: the gradient of all elements. `below`, `here` and
-/// `above` are the rows of the ring.
+/// Shear and twist of the cells of a row.
 template <class T>
-HWY_INLINE Lane3<T> collect(const ScratchRow<T>& below, const ScratchRow<T>& here, const ScratchRow<T>& above,
-                            std::ptrdiff_t c) {
-  Lane3<T> sum = add(load3(here.field(kU1), c - 1), load3(here.field(kL1), c + 1));
-  sum = sub(sum, add(load3(here.field(kU1), c), load3(here.field(kL1), c)));
-  sum = add(sum, add(load3(below.field(kU2), c), load3(above.field(kL2), c)));
-  sum = sub(sum, add(load3(here.field(kU2), c), load3(here.field(kL2), c)));
-  // As x00 of its own cell, x10 of the cell before, x01 of the cell below, x11 of the one before that.
-  sum = add(sum, sub(load3(here.field(kD), c), load3(here.field(kP), c)));
-  sum = add(sum, sub(load3(here.field(kM), c - 1), load3(here.field(kD), c - 1)));
-  sum = sub(sum, add(load3(below.field(kM), c), load3(below.field(kD), c)));
-  return add(sum, add(load3(below.field(kP), c - 1), load3(below.field(kD), c - 1)));
+HWY_NOINLINE void cell_row(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, const RowPart part,
+                           bool linearise) {
+  const Turn<T> turn;
+  RowSums<T> own(g, turn, part.own ? &g.force : nullptr, part.row);
+  RowSums<T> above(g, turn, part.above ? &g.force : nullptr, part.row + 1);
+  for (int v = 0; v < g.vectors; ++v) {
+    const Place<T> at(g, turn, part.row, v);
+    const std::ptrdiff_t p = at.p;
+    const CellBlock<T> shear = cell(g, k, at);
+    Lane3<T> here = sub(shear.P, shear.D), north = add(shear.M, shear.D);
+    if (part.own) {
+      here = add(here, load3(g.force, p));
+      store(shear.gamma, g.strain[2] + p);
+      if (linearise) {
+        store3(shear.plus, g.shear_plus, p);
+        store3(shear.minus, g.shear_minus, p);
+      }
+    }
+    if (part.above) north = add(north, load3(g.force, p + g.stride));
+    own.add_vector(p, zero3<T>(), here, sub(shear.D, shear.M));
+    above.add_vector(p + g.stride, zero3<T>(), north, scale(set(T(-1)), add(shear.P, shear.D)));
+  }
+  own.finish();
+  above.finish();
 }
 
 template <class T>
 void evaluate_rows(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, const ImplicitStepConstants<T>& s,
-                   Evaluation what, T* scratch, int begin, int end) {
+                   Evaluation what, int begin, int end) {
   const bool linearise = what == Evaluation::kLinearise;
-  const int lanes = lanes_of<T>();
-  for (int row = begin - 1; row <= end; ++row) {
-    element_row(g, k, s, scratch_row(g, scratch, row), row, row >= begin && row < end, linearise);
-    const int done = row - 1;
-    if (done < begin) continue;
-    const ScratchRow<T> below = scratch_row(g, scratch, done - 1), here = scratch_row(g, scratch, done),
-                        above = scratch_row(g, scratch, row);
-    for (int c = 0; c < g.width; c += lanes) {
-      const std::ptrdiff_t p = g.at(done) + c;
-      store3(sub(load3(g.force, p), collect(below, here, above, c)), g.force, p);
-    }
+  if (begin == 0) {
+    for (std::ptrdiff_t p = g.at(0); p < g.at(1); p += g.lanes) store3(zero3<T>(), g.force, p);
+  }
+  for (int row = begin > 0 ? begin - 1 : 0; row <= end && row < g.rows; ++row) {
+    const RowPart part = row_part(row, begin, end);
+    yarn_row(g, k, s, part, linearise);
+    if (row < end) cell_row(g, k, part, linearise);
   }
 }
 
@@ -350,18 +414,14 @@ HWY_INLINE void commit_law(const LawTableView<T>& law, Lane<T> strain, T* const*
 
 template <class T>
 void commit_rows(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, int begin, int end) {
-  const int lanes = lanes_of<T>();
-  for (int row = begin; row < end; ++row) {
-    for (int c = 0; c < g.width; c += lanes) {
-      const std::ptrdiff_t p = g.at(row) + c;
-      commit_law(k.weft_bending, load(g.strain[0] + p), g.memory_weft_bending, p);
-      commit_law(k.warp_bending, load(g.strain[1] + p), g.memory_warp_bending, p);
-      commit_law(k.shear, load(g.strain[2] + p), g.memory_shear, p);
-      commit_law(k.weft_tension, load(g.strain[3] + p), g.memory_weft_tension, p);
-      commit_law(k.warp_tension, load(g.strain[4] + p), g.memory_warp_tension, p);
-      store(load(g.strain[3] + p), g.weft_strain_n + p);
-      store(load(g.strain[4] + p), g.warp_strain_n + p);
-    }
+  for (std::ptrdiff_t p = g.at(begin); p < g.at(end); p += g.lanes) {
+    commit_law(k.weft_bending, load(g.strain[0] + p), g.memory_weft_bending, p);
+    commit_law(k.warp_bending, load(g.strain[1] + p), g.memory_warp_bending, p);
+    commit_law(k.shear, load(g.strain[2] + p), g.memory_shear, p);
+    commit_law(k.weft_tension, load(g.strain[3] + p), g.memory_weft_tension, p);
+    commit_law(k.warp_tension, load(g.strain[4] + p), g.memory_warp_tension, p);
+    store(load(g.strain[3] + p), g.weft_strain_n + p);
+    store(load(g.strain[4] + p), g.warp_strain_n + p);
   }
 }
 
