@@ -88,7 +88,8 @@ class TickKernels {
         {"solve_warp", kIterations, {72, 45}, [this, across] { k_.solve_warp(g_, kAlpha, 0, across); }});
     list.push_back(
         {"solve_weft", kIterations, {78, 33}, [this, down] { k_.solve_weft(g_, scratch_.get(), 0, down); }});
-    list.push_back({"direct", kIterations, {12, 15}, [this, rows] { k_.direct(g_, kAlpha, kBeta, 0, rows); }});
+    list.push_back(
+        {"direct", kIterations, {12, 15}, [this, rows] { k_.direct(g_, kAlpha, kBeta, 0, rows); }});
     list.push_back({"multiply", kIterations, {196, 38}, [this, rows] {
                       k_.multiply(g_, storage_.constants(), 0, rows);
                     }});
@@ -101,7 +102,6 @@ class TickKernels {
     return list;
   }
 
- 
   std::size_t bytes() const { return storage_.bytes(); }
 
  private:
@@ -110,9 +110,7 @@ class TickKernels {
   static constexpr float kAlpha = 0.5F, kBeta = 0.1F;
 
   int vectors(int count) const { return (count + k_.lanes - 1) / k_.lanes; }
-  void evaluate(Evaluation what) {
-    k_.evaluate(g_, storage_.constants(), step_, what, 0, g_.rows);
-  }
+  void evaluate(Evaluation what) { k_.evaluate(g_, storage_.constants(), step_, what, 0, g_.rows); }
 
   /// A tenth of a second after the release.
   ClothState moving_state() const {
@@ -210,8 +208,7 @@ void report_side(Report& report, const MachineLimits& limits, int side, int tick
   std::vector<KernelRun> kernels = tick.list();
   for (int i = 0; i < ticks; ++i) run_tick(kernels);
   const double nodes = static_cast<double>(side) * side, clock = clock_seconds();
-  const double bytes =
-      static_cast<double>(tick.bytes());
+  const double bytes = static_cast<double>(tick.bytes());
   Times sum;
   KernelCost sum_cost{0.0, 0.0};
   std::vector<Row> rows;

@@ -101,8 +101,8 @@ double force_difference(const ClothMaterial& material) {
   std::vector<Vec3> reference(static_cast<Index>(scene.model.slot_count()));
   evaluate_cloth(scene.model, material, scene.state, scene.trial, {kDt, Vec3::Zero()}, reference);
   Kernels<T> kernels(scene.model, material, scene.state, scene.trial);
-  kernels.k.evaluate(kernels.g, kernels.storage.constants(), kernels.step, Evaluation::kForce,
-                     0, kernels.g.rows);
+  kernels.k.evaluate(kernels.g, kernels.storage.constants(), kernels.step, Evaluation::kForce, 0,
+                     kernels.g.rows);
   double largest = 0.0, difference = 0.0;
   for (int row = 0; row < scene.model.rows; ++row) {
     for (int c = 0; c < scene.model.columns; ++c) {

@@ -332,7 +332,8 @@ Vec3 SolverImplicit<T>::velocity(int slot) const noexcept {
 template <class T>
 Vec3 SolverImplicit<T>::force_on_fixed(int slot) const noexcept {
   const std::ptrdiff_t p = grid_.slot_index(slot);
-  const double mass = std::abs(static_cast<double>(grid_.node_area[p])) * static_cast<double>(constants_.areal_mass);
+  const double mass =
+      std::abs(static_cast<double>(grid_.node_area[p])) * static_cast<double>(constants_.areal_mass);
   return vector_at(grid_.force, p) + mass * load_ * options_.gravity;
 }
 

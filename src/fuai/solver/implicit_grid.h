@@ -3,10 +3,10 @@
 // Source: docs/theory/implicit-step.md.
 //
 //   node (column, row) is number index(column, row) of every array. A row is cut into as many equal runs of
-//   columns as a vector has lanes, one run a lane: the neighbour of a vector's nodes along the weft is the next
-//   vector, lane by lane, and only the last vector's neighbour is the first one with its lanes moved by one.
-//   There the last lane wraps round to the first column, which elements without cloth multiply by zero. A row
-//   of zeros lies before the first and after the last row, so that every neighbour can be read.
+//   columns as a vector has lanes, one run a lane: the neighbour of a vector's nodes along the weft is the
+//   next vector, lane by lane, and only the last vector's neighbour is the first one with its lanes moved by
+//   one. There the last lane wraps round to the first column, which elements without cloth multiply by zero.
+//   A row of zeros lies before the first and after the last row, so that every neighbour can be read.
 #pragma once
 
 #include <cstddef>
@@ -32,7 +32,7 @@ struct ImplicitConstants {
   T free_edge_weft = 0,
     free_edge_warp = 0;  ///< B12^2 / B of the other direction [N m]: taken off at a free edge
   T viscosity_weft = 0, viscosity_warp = 0;  ///< eta [N s/m]
-  T most_fold = 0;  ///< no fold is taken for stiffer than this [N/m]
+  T most_fold = 0;                           ///< no fold is taken for stiffer than this [N/m]
   T areal_mass = 0;                          ///< [kg/m2]
   T mass_drag = 0;                           ///< c [1/s]
   T air_normal = 0, air_tangential = 0;      ///< rho C / 2 [kg/m3]

@@ -69,6 +69,10 @@ template <class T>
 HWY_INLINE Lane3<T> sub(const Lane3<T>& a, const Lane3<T>& b) {
   return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
 }
+template <class T>
+HWY_INLINE Lane3<T> negative(const Lane3<T>& a) {
+  return {hn::Neg(a.x), hn::Neg(a.y), hn::Neg(a.z)};
+}
 template <class T, class V>
 HWY_INLINE Lane3<T> scale(V s, const Lane3<T>& a) {
   return {hn::Mul(s, a.x), hn::Mul(s, a.y), hn::Mul(s, a.z)};

@@ -19,9 +19,9 @@ namespace HWY_NAMESPACE {
 /// What the elements of a row add to A p, in the order of the evaluation; finishes the row before: nodes that
 /// are not mobile are left out, its sum of p.q is taken.
 template <class T>
-HWY_NOINLINE void product_row(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, const RowPart part) {
+HWY_NOINLINE void product_row(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, const Turn<T>& turn,
+                              const RowPart part) {
   const std::ptrdiff_t S = g.stride;
-  const Turn<T> turn;
   RowSums<T> own(g, turn, part.own ? &g.q : nullptr, part.row);
   RowSums<T> above(g, turn, part.above ? &g.q : nullptr, part.row + 1);
   Lane<T> sum = hn::Zero(Tag<T>());
@@ -79,12 +79,13 @@ HWY_INLINE void finish_product(const ImplicitGrid<T>& g, int row) {
 
 template <class T>
 void multiply_rows(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, int begin, int end) {
+  const Turn<T> turn;
   if (begin == end) return;
   if (begin == 0) {
     for (std::ptrdiff_t p = g.at(0); p < g.at(1); p += g.lanes) store3(zero3<T>(), g.q, p);
   }
   for (int row = begin > 0 ? begin - 1 : 0; row <= end && row < g.rows; ++row)
-    product_row(g, k, row_part(row, begin, end));
+    product_row(g, k, turn, row_part(row, begin, end));
   if (end == g.rows) finish_product(g, end - 1);
 }
 
@@ -151,8 +152,7 @@ HWY_INLINE Block<T> diagonal(const ImplicitGrid<T>& g, const ImplicitConstants<T
 template <class T>
 HWY_INLINE Block<T> add_ends(Lane<T> before, const Lane3<T>& n_before, Lane<T> after, const Lane3<T>& n_after,
                              T share, const Block<T>& b) {
-  return add_outer(hn::Mul(set(share), before), n_before,
-                   add_outer(hn::Mul(set(share), after), n_after, b));
+  return add_outer(hn::Mul(set(share), before), n_before, add_outer(hn::Mul(set(share), after), n_after, b));
 }
 
 /// Coupling of a node to the next one of its yarn, taken positive. @param next stiffness and normal there
@@ -177,8 +177,8 @@ template <class T>
 struct LineBlocks {
   Block<T> weft, warp, weft_link, warp_link;
 };
-/// A triple couples its two ends, which a tridiagonal line leaves out; put on both ends instead (twice, in the
-/// line of its own direction), the line stays positive definite.
+/// A triple couples its two ends, which a tridiagonal line leaves out; put on both ends instead (twice, in
+/// the line of its own direction), the line stays positive definite.
 template <class T>
 HWY_INLINE LineBlocks<T> line_blocks(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k,
                                      const Place<T>& at, bool links) {

@@ -241,8 +241,7 @@ HWY_INLINE void turn_back(const ImplicitGrid<T>& g, int row, const T* turned) {
     for (int f = 0; f < 3; ++f) store_transposed<T>(first + f * lanes, pitch, tile[f], lanes);
     for (int j = 0; j < kept; ++j) {
       const std::ptrdiff_t p = g.at(row + j) + v * lanes;
-      const Lane3<T> weft = {load(tile[0] + j * lanes), load(tile[1] + j * lanes),
-                             load(tile[2] + j * lanes)};
+      const Lane3<T> weft = {load(tile[0] + j * lanes), load(tile[1] + j * lanes), load(tile[2] + j * lanes)};
       const Lane3<T> z = scale(set(T(0.5)), add(weft, load3(g.q, p)));
       store3(z, g.q, p);
       sums[j] = add_dot<T>(z, load3(g.force, p), sums[j]);

@@ -14,7 +14,8 @@ void load_state(const ClothState& state, const ImplicitConstants<T>& constants, 
 template <class T>
 void store_state(const ImplicitGrid<T>& grid, const ImplicitConstants<T>& constants, ClothState& state);
 
-extern template void load_state(const ClothState&, const ImplicitConstants<float>&, const ImplicitGrid<float>&);
+extern template void load_state(const ClothState&, const ImplicitConstants<float>&,
+                                const ImplicitGrid<float>&);
 extern template void load_state(const ClothState&, const ImplicitConstants<double>&,
                                 const ImplicitGrid<double>&);
 extern template void store_state(const ImplicitGrid<float>&, const ImplicitConstants<float>&, ClothState&);

@@ -25,7 +25,8 @@ template <class T>
 void ImplicitStorage<T>::lay_out(const ClothMaterial& material) {
   ImplicitGrid<T>& g = grid_;
   const int padded_rows = round_up(g.rows, g.lanes);
-  const auto field = static_cast<std::size_t>(g.stride) * static_cast<std::size_t>(padded_rows + 2 * kPadRows);
+  const auto field =
+      static_cast<std::size_t>(g.stride) * static_cast<std::size_t>(padded_rows + 2 * kPadRows);
   used_ = 0;
   const auto one = [&](T*& to) { to = take(field); };
   const auto three = [&](Field3<T>& to) {
@@ -74,8 +75,11 @@ void ImplicitStorage<T>::fill_constants(const ClothModel& model, const ClothMate
   k.free_edge_warp = static_cast<T>(free_edge_softening(material, material.weft_bending));
   k.viscosity_weft = static_cast<T>(tension_viscosity(material.weft_tension, material.viscosity_time));
   k.viscosity_warp = static_cast<T>(tension_viscosity(material.warp_tension, material.viscosity_time));
-  k.most_fold =
-      static_cast<T>(std::max(tension_toe(material.weft_tension), tension_toe(material.warp_tension)));
+  // Flat cloth is far below it, also where a clamp is near.
+  const double bending =
+      std::max(material.weft_bending.stick_tangent(0.0), material.warp_bending.stick_tangent(0.0));
+  const double toe = std::max(tension_toe(material.weft_tension), tension_toe(material.warp_tension));
+  k.most_fold = static_cast<T>(std::max(toe, 1000.0 * bending / (h * h)));
   k.areal_mass = static_cast<T>(model.areal_mass);
   k.mass_drag = static_cast<T>(material.mass_drag);
   k.air_normal = static_cast<T>(0.5 * material.air_density * material.air_normal);

@@ -31,9 +31,8 @@ HWY_INLINE void sum_each(const ImplicitGrid<T>& g, int begin, int end, const Wor
 
 template <class T>
 void advance_rows(const ImplicitGrid<T>& g, T alpha, int begin, int end) {
-  each(g, begin, end, [&](std::ptrdiff_t p) HWY_ATTR {
-    store3(mul_add(set(alpha), load3(g.p, p), load3(g.d, p)), g.d, p);
-  });
+  each(g, begin, end,
+       [&](std::ptrdiff_t p) HWY_ATTR { store3(mul_add(set(alpha), load3(g.p, p), load3(g.d, p)), g.d, p); });
 }
 
 template <class T>
@@ -84,9 +83,8 @@ void stop_rows(const ImplicitGrid<T>& g, int begin, int end) {
 
 template <class T>
 void move_rows(const ImplicitGrid<T>& g, T s, int begin, int end) {
-  each(g, begin, end, [&](std::ptrdiff_t p) HWY_ATTR {
-    store3(mul_add(set(s), load3(g.d, p), load3(g.x, p)), g.x, p);
-  });
+  each(g, begin, end,
+       [&](std::ptrdiff_t p) HWY_ATTR { store3(mul_add(set(s), load3(g.d, p), load3(g.x, p)), g.x, p); });
 }
 
 template <class T>
