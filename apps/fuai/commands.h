@@ -71,4 +71,20 @@ struct CantileverCommandOptions {
 };
 int run_cantilever(const Console& console, const CantileverCommandOptions& options);
 
+struct DrapeCommandOptions {
+  std::string fabric;
+  std::string disc = "18cm";      ///< diameter with unit
+  std::string specimen = "30cm";  ///< diameter with unit
+  std::string spacing = "5mm";    ///< with unit
+  int runs = 5;                   ///< specimens
+  std::string path = "ramp";      ///< ramp, release, shakes or support
+  std::string solver = "implicit";
+  std::string linger;        ///< time with unit to go on at rest; empty: none
+  std::string out;           ///< folder; empty: no files
+  bool elastic = false;      ///< without friction
+  bool no_bands = false;     ///< assumptions are not tried
+  bool convergence = false;  ///< at other spacings too
+};
+int run_drape(const Console& console, const DrapeCommandOptions& options);
+
 }  // namespace fuai_app

@@ -41,6 +41,7 @@ struct Parsed {
   RenderOptions render;
   SimulateOptions simulate;
   CantileverCommandOptions cantilever;
+  DrapeCommandOptions drape;
   std::function<int(const Console&)> run;
 };
 
@@ -190,6 +191,41 @@ void add_cantilever_command(CLI::App& app, Parsed& parsed) {
       [&] { parsed.run = [&](const Console& c) { return run_cantilever(c, parsed.cantilever); }; });
 }
 
+void add_drape_command(CLI::App& app, Parsed& parsed) {
+  constexpr int kMostSpecimens = 1000;
+  DrapeCommandOptions& options = parsed.drape;
+  CLI::App* command =
+      app.add_subcommand("drape", "The drape test: drape coefficient, nodes, shadow, pictures, mesh");
+  command->add_option("FABRIC", options.fabric, "Bundled name or path of a fabric file")->required();
+  command->add_option("--disc", options.disc, "Diameter of the disc with unit")->capture_default_str();
+  command->add_option("--specimen", options.specimen, "Diameter of the cloth with unit")
+      ->capture_default_str();
+  command->add_option("--spacing", options.spacing, "Distance of the nodes with unit")->capture_default_str();
+  command->add_option("--runs", options.runs, "Specimens, each with a seed of its own")
+      ->check(CLI::Range(1, kMostSpecimens))
+      ->capture_default_str();
+  command
+      ->add_option("--path", options.path,
+                   "How the weight comes on: gravity ramp, sudden release, ramp and three shakes, lowered "
+                   "support")
+      ->check(CLI::IsMember({"ramp", "release", "shakes", "support"}))
+      ->capture_default_str();
+  command->add_flag("--elastic", options.elastic, "Without friction: the elastic curves of the laws alone");
+  command->add_flag("--no-bands", options.no_bands, "Do not try the ends of what was assumed");
+  command->add_flag("--convergence", options.convergence,
+                    "At 2, 1.5, 1 and 0.75 times the spacing too, with a plot in --out");
+  command->add_option("--solver", options.solver, "implicit, or explicit: the oracle, minutes a specimen")
+      ->check(CLI::IsMember({"implicit", "explicit"}))
+      ->capture_default_str();
+  command->add_option("--linger", options.linger, "Goes on so long once the cloth rests, e.g. 2s");
+  command->add_option("--out", options.out, "Folder for shadow, pictures, mesh and tables");
+  command->footer(
+      "Examples:\n  fuai drape wool-tropical --out drape\n"
+      "  fuai drape polyester-faille --disc 12.7cm --specimen 25.4cm\n"
+      "  fuai --json --seed 7 drape graded-6 --runs 2 --elastic");
+  command->callback([&] { parsed.run = [&](const Console& c) { return run_drape(c, parsed.drape); }; });
+}
+
 /// Reads --config as CLI11 does, without the options that an environment variable states: CLI11 itself would
 /// let the file win.
 class FileBelowEnvironment : public CLI::ConfigTOML {
@@ -303,6 +339,7 @@ int parse_and_run(int argc, char** argv) {
   add_fabric_commands(app, parsed);
   add_scene_commands(app, parsed);
   add_cantilever_command(app, parsed);
+  add_drape_command(app, parsed);
   try {
     app.parse(argc, argv);
   } catch (const CLI::FileError& e) {

@@ -18,7 +18,7 @@ constexpr double kRingSpacing = 2.0 * kShadowPixel;
 
 /// The true annulus on the smooth surface, ring after ring from the disc to the edge.
 struct PolarMesh {
-  int rings = 0;              // cells between the disc and the edge
+  int rings = 0;             // cells between the disc and the edge
   std::vector<Vec3> points;  // (rings + 1) * kShadowDirections
 
   const Vec3& at(int ring, int direction) const {
@@ -69,7 +69,8 @@ class Raster {
         const Vec2 &s = p[i], &e = p[(i + 1) % 3];
         if ((s.y() < row && e.y() < row) || (s.y() > row && e.y() > row)) continue;
         const double t = s.y() == e.y() ? 0.0 : (row - s.y()) / (e.y() - s.y());
-        for (const double x : {s.x() + t * (e.x() - s.x()), s.y() == e.y() ? e.x() : s.x() + t * (e.x() - s.x())}) {
+        for (const double x :
+             {s.x() + t * (e.x() - s.x()), s.y() == e.y() ? e.x() : s.x() + t * (e.x() - s.x())}) {
           left = std::min(left, x);
           right = std::max(right, x);
         }
@@ -85,9 +86,7 @@ class Raster {
   }
 
  private:
-  Vec2 place(const Vec3& x) const {
-    return {x.x() / pixel_ + half_ - 0.5, half_ - 0.5 - x.y() / pixel_};
-  }
+  Vec2 place(const Vec3& x) const { return {x.x() / pixel_ + half_ - 0.5, half_ - 0.5 - x.y() / pixel_}; }
   void mark(int column, int row) {
     marks_[static_cast<Index>(row) * static_cast<Index>(side()) + static_cast<Index>(column)] = 1;
   }
@@ -95,13 +94,6 @@ class Raster {
   int half_ = 0;
   std::vector<std::uint8_t> marks_;
 };
-
-double disc_area(double diameter) { return 0.25 * std::numbers::pi * diameter * diameter; }
-
-double coefficient_of(const DrapeGeometry& geometry, double shadow) {
-  const double disc = disc_area(geometry.disc);
-  return (shadow - disc) / (disc_area(geometry.specimen) - disc);
-}
 
 /// Farthest point of the mesh in every direction: segments along the rings, which cross all azimuths.
 std::vector<double> outline_of(const DrapeGeometry& geometry, const PolarMesh& mesh) {
@@ -114,13 +106,13 @@ std::vector<double> outline_of(const DrapeGeometry& geometry, const PolarMesh& m
       double turn = std::remainder(std::atan2(b.y(), b.x()) - from, kTurn);
       if (turn < 0.0) from += turn, turn = -turn;
       const double normal = a.x() * b.y() - a.y() * b.x();
-      for (auto k = static_cast<long>(std::ceil(from / step)); static_cast<double>(k) * step <= from + turn; ++k) {
+      for (auto k = static_cast<long>(std::ceil(from / step)); static_cast<double>(k) * step <= from + turn;
+           ++k) {
         // Where the ray at this azimuth meets the segment.
         const Vec2 ray(std::cos(static_cast<double>(k) * step), std::sin(static_cast<double>(k) * step));
         const Vec2 along = b - a;
         const double across = ray.x() * along.y() - ray.y() * along.x();
-        const double radius =
-            std::abs(across) > 1e-15 ? normal / across : std::max(a.norm(), b.norm());
+        const double radius = std::abs(across) > 1e-15 ? normal / across : std::max(a.norm(), b.norm());
         const auto bin = static_cast<Index>((k % kShadowDirections + kShadowDirections) % kShadowDirections);
         outline[bin] = std::max(outline[bin], std::min(radius, std::max(a.norm(), b.norm())));
       }
@@ -202,7 +194,7 @@ DrapeShadow cast_shadow(const DrapeGeometry& geometry, const ClothModel& model,
     }
   }
   DrapeShadow shadow;
-  shadow.coefficient = coefficient_of(geometry, raster.area());
+  shadow.coefficient = geometry.coefficient(raster.area());
   shadow.side = raster.side();
   shadow.raster = raster.take();
   shadow.outline = outline_of(geometry, mesh);
@@ -213,7 +205,7 @@ DrapeShadow cast_shadow(const DrapeGeometry& geometry, const ClothModel& model,
     twice += a.x() * b.y() - a.y() * b.x();
     shadow.edge.push_back(a);
   }
-  shadow.edge_coefficient = coefficient_of(geometry, 0.5 * twice);
+  shadow.edge_coefficient = geometry.coefficient(0.5 * twice);
   return shadow;
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -41,7 +42,7 @@ inline constexpr int kShadowDirections = 720;
 /// Side of a pixel of the raster [m].
 inline constexpr double kShadowPixel = 0.0005;
 /// The outline is smoothed over this angle to either side before nodes are counted [rad].
-inline constexpr double kNodeSmoothing = 3.0 * 3.14159265358979323846 / 180.0;
+inline constexpr double kNodeSmoothing = std::numbers::pi / 60.0;
 /// A node stands out by at least this part of the overhang.
 inline constexpr double kNodeProminence = 0.05;
 
@@ -72,9 +73,7 @@ double border_coefficient(const DrapeGeometry& geometry, const ClothModel& model
     twice += last.x() * here.y() - last.y() * here.x();
     last = here;
   }
-  const double disc = 0.25 * 3.14159265358979323846 * geometry.disc * geometry.disc;
-  const double specimen = 0.25 * 3.14159265358979323846 * geometry.specimen * geometry.specimen;
-  return (0.5 * twice - disc) / (specimen - disc);
+  return geometry.coefficient(0.5 * twice);
 }
 
 }  // namespace fuai

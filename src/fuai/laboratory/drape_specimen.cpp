@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuai/laboratory/drape_specimen.h"
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -30,13 +31,14 @@ SmoothNoise noise_of(const DrapeGeometry& geometry, std::uint64_t seed, Stream s
   return {stream_seed(seed, stream), kShortestWave, kLongestWave, 0.5 * geometry.specimen};
 }
 
+bool positive(double x) { return x > 0.0 && std::isfinite(x); }
+
 void check(const DrapeGeometry& g) {
-  const auto positive = [](double x) { return x > 0.0 && std::isfinite(x); };
   if (!positive(g.disc) || !positive(g.specimen) || !(g.disc < g.specimen)) {
     throw Error(ErrorKind::kUsage, "the disc of a drape tester must be smaller than the specimen", {},
                 "take 18cm and 30cm, or 12.7cm and 25.4cm");
   }
-  if (!positive(g.spacing) || g.spacing > g.overhang() / 3.0 || g.spacing > 0.25 * g.disc) {
+  if (!fits(g)) {
     throw Error(ErrorKind::kUsage, "the spacing does not suit the drape tester", {},
                 "take at most a third of the overhang and a quarter of the disc, such as 5mm");
   }
@@ -56,6 +58,10 @@ void make_uneven(const DrapeGeometry& geometry, std::uint64_t seed, double size,
 }
 
 }  // namespace
+
+bool fits(const DrapeGeometry& g) noexcept {
+  return positive(g.spacing) && g.spacing <= g.overhang() / 3.0 && g.spacing <= 0.25 * g.disc;
+}
 
 ClothModel make_drape_model(const DrapeGeometry& geometry, double areal_mass, std::uint64_t seed,
                             const DrapePerturbation& perturbation) {

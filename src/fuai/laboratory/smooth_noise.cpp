@@ -18,7 +18,8 @@ SmoothNoise::SmoothNoise(std::uint64_t seed, double shortest, double longest, do
     wave.number = 2.0 * std::numbers::pi / length * Vec2(std::cos(direction), std::sin(direction));
     wave.phase = 2.0 * std::numbers::pi * share(random);
   }
-  // The largest value, on a grid of a sixth of the shortest wave (it misses at most 14 % of one wave's crest).
+  // The largest value, on a grid of a sixth of the shortest wave (it misses at most 14 % of one wave's
+  // crest).
   const int count = std::max(1, static_cast<int>(std::ceil(6.0 * half / shortest)));
   double largest = 0.0;
   for (int j = -count; j <= count; ++j) {
@@ -28,7 +29,9 @@ SmoothNoise::SmoothNoise(std::uint64_t seed, double shortest, double longest, do
   scale_ = 1.0 / largest;
 }
 
-double SmoothNoise::at(const Vec2& point) const noexcept { return std::clamp(scale_ * sum(point), -1.0, 1.0); }
+double SmoothNoise::at(const Vec2& point) const noexcept {
+  return std::clamp(scale_ * sum(point), -1.0, 1.0);
+}
 
 double SmoothNoise::sum(const Vec2& point) const noexcept {
   double sum = 0.0;
