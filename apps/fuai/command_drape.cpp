@@ -173,7 +173,7 @@ void print_test(const Console& console, const Fabric& fabric, const DrapeTest& t
                  fixed(points(band.at_least), 1) + " to " + (band.at_most >= 0.0 ? "+" : "") +
                  fixed(points(band.at_most), 1) + " points");
   }
-  if (test.samples.size() > 1 || !test.bands.empty()) {
+  if (!test.bands.empty()) {
     console.line("  together           " + fixed(points(test.band_low), 1) + " to " +
                  fixed(points(test.band_high), 1) + " %");
   }

@@ -133,18 +133,22 @@ ClothPicture drape_picture(const DrapeTest& test, const DrapeSample& sample, con
   ClothItem cloth;
   cloth.mesh = mesh_of(test, sample);
   cloth.thread_spacing = std::max(g.spacing, 0.005);
-  CylinderItem disc;
+  CylinderItem disc, stem;
   disc.radius = 0.5 * g.disc;
   disc.top = Vec3(0.0, 0.0, -0.001);  // below the cloth, so that they do not flicker
-  disc.height = 1.2 * g.overhang();
-  picture.cylinders.push_back(disc);
-  picture.ground.height = -disc.height;
+  disc.height = 0.008;
+  stem.radius = 0.3 * disc.radius;
+  stem.top = disc.top - Vec3(0.0, 0.0, disc.height);
+  stem.height = 1.3 * g.overhang();
+  picture.cylinders = {disc, stem};
+  picture.ground.height = stem.top.z() - stem.height;
   // The same frame for every fabric: the flat specimen, and cloth that hangs straight down.
   Bounds bounds;
-  bounds.include(Vec3(-0.5 * g.specimen, -0.5 * g.specimen, -g.overhang()));
-  bounds.include(Vec3(0.5 * g.specimen, 0.5 * g.specimen, 0.0));
+  const double side = 0.45 * g.specimen;
+  bounds.include(Vec3(-side, -side, picture.ground.height));
+  bounds.include(Vec3(side, side, 0.0));
   const double aspect = static_cast<double>(kPictureWidth) / kPictureHeight;
-  const double elevation = (from_above ? 90.0 : 22.0) * unit::kDegree;
+  const double elevation = (from_above ? 90.0 : 16.0) * unit::kDegree;
   picture.camera = frame_camera(bounds, -90.0 * unit::kDegree, elevation, aspect);
   if (from_above) picture.camera.parallel_height = 1.15 * g.specimen;
   picture.caption = caption;

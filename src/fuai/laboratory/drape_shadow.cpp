@@ -16,7 +16,8 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 /// Rings of the polar mesh are at most so far apart [m]: two pixels.
 constexpr double kRingSpacing = 2.0 * kShadowPixel;
 
-/// The true annulus on the smooth surface, ring after ring from the disc to the edge.
+/// The true annulus on the smooth surface, ring after ring from just inside the disc, so that no slit shows
+/// between them, to the edge.
 struct PolarMesh {
   int rings = 0;             // cells between the disc and the edge
   std::vector<Vec3> points;  // (rings + 1) * kShadowDirections
@@ -28,9 +29,10 @@ struct PolarMesh {
 
 PolarMesh make_polar_mesh(const DrapeGeometry& geometry, const SmoothSurface& surface) {
   PolarMesh mesh;
-  mesh.rings = static_cast<int>(std::ceil(geometry.overhang() / kRingSpacing));
+  const double width = geometry.overhang() + kRingSpacing;
+  mesh.rings = static_cast<int>(std::ceil(width / kRingSpacing));
   for (int ring = 0; ring <= mesh.rings; ++ring) {
-    const double radius = 0.5 * geometry.disc + geometry.overhang() * ring / mesh.rings;
+    const double radius = 0.5 * geometry.specimen - width * (mesh.rings - ring) / mesh.rings;
     for (int direction = 0; direction < kShadowDirections; ++direction) {
       const double angle = kTurn * direction / kShadowDirections;
       mesh.points.push_back(surface.at(radius * Vec2(std::cos(angle), std::sin(angle))));

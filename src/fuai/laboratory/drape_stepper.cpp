@@ -26,6 +26,11 @@ constexpr double kExplicitStep = 1e-3;
 /// at 10 mm is the same to 0.005 points; an unstable one would blow up within milliseconds.
 constexpr double kBeyondBound = 3.0;
 
+/// A second linearisation only where it pays, and no polishing of a linear system that the next one replaces:
+/// a quarter fewer iterations than with the solver's own 0.1 and 1e-6, DC of ten specimens of two fabrics
+/// within 0.1 points of those. With a reduction of 3e-2 some specimens choose other folds.
+constexpr double kRelinearise = 0.3, kReduction = 1e-2;
+
 /// Slots of one kind, and where they started.
 struct Places {
   std::vector<int> slots;
@@ -89,6 +94,8 @@ class ImplicitStepper final : public DrapeStepper {
     ImplicitOptions options;
     options.iterations = method.iterations;
     options.linearisations = method.linearisations;
+    options.relinearise = kRelinearise;
+    options.reduction = kReduction;
     return options;
   }
   static AttachmentRoom room_for(const ClothModel& model, const DrapeMethod& method) {
