@@ -47,6 +47,7 @@ DrapeTestOptions options_of(const Console& console, const DrapeCommandOptions& c
   options.geometry.spacing = parse_value(command.spacing, kLength, "--spacing");
   options.method.path = path_value(command.path);
   options.method.solver = command.solver == "explicit" ? DrapeSolver::kExplicit : DrapeSolver::kImplicit;
+  options.method.loading = parse_value(command.loading, kTime, "--ramp");
   options.method.linger = command.linger.empty() ? 0.0 : parse_value(command.linger, kTime, "--linger");
   options.runs = command.runs;
   options.seed = console.options().seed;
@@ -238,6 +239,8 @@ int run_drape(const Console& console, const DrapeCommandOptions& command) {
   if (!command.out.empty()) prepare_folder(command.out);
   const DrapeTest test = run_drape_test(laws, options, console.progress());
   print_test(console, fabric, test);
+  if (test.coefficient.mean < kMayTouch)
+    console.warn("folds of so limp a drape may touch, which is not simulated: they pass through each other");
   JsonValue json = json_of(command, test);
   json.set("fabric", fabric.id).set("measured", measured_json(fabric.drape));
   DrapeConvergence convergence;

@@ -79,11 +79,12 @@ struct DrapeCommandOptions {
   int runs = 5;                   ///< specimens
   std::string path = "ramp";      ///< ramp, release, shakes or support
   std::string solver = "implicit";
-  std::string linger;        ///< time with unit to go on at rest; empty: none
-  std::string out;           ///< folder; empty: no files
-  bool elastic = false;      ///< without friction
-  bool no_bands = false;     ///< assumptions are not tried
-  bool convergence = false;  ///< at other spacings too
+  std::string loading = "2s";  ///< time with unit, of the ramp or of lowering the support
+  std::string linger;          ///< time with unit to go on at rest; empty: none
+  std::string out;             ///< folder; empty: no files
+  bool elastic = false;        ///< without friction
+  bool no_bands = false;       ///< assumptions are not tried
+  bool convergence = false;    ///< at other spacings too
 };
 int run_drape(const Console& console, const DrapeCommandOptions& options);
 

@@ -210,6 +210,8 @@ void add_drape_command(CLI::App& app, Parsed& parsed) {
                    "support")
       ->check(CLI::IsMember({"ramp", "release", "shakes", "support"}))
       ->capture_default_str();
+  command->add_option("--ramp", options.loading, "How long the weight, or the support, takes, e.g. 4s")
+      ->capture_default_str();
   command->add_flag("--elastic", options.elastic, "Without friction: the elastic curves of the laws alone");
   command->add_flag("--no-bands", options.no_bands, "Do not try the ends of what was assumed");
   command->add_flag("--convergence", options.convergence,

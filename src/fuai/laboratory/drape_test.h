@@ -77,6 +77,10 @@ struct DrapeTest {
 DrapeTest run_drape_test(const FabricLaws& laws, const DrapeTestOptions& options,
                          const Progress& progress = {});
 
+/// Below this mean the folds of a drape may touch, which is not simulated [-]: the drape study saw none touch
+/// at 0.22 and above.
+inline constexpr double kMayTouch = 0.22;
+
 /// The same test at several spacings, coarse first; bands at none of them.
 struct DrapeConvergence {
   std::vector<DrapeTest> tests;
