@@ -69,13 +69,11 @@ class Raster {
       double left = 1e300, right = -1e300;
       for (int i = 0; i < 3; ++i) {
         const Vec2 &s = p[i], &e = p[(i + 1) % 3];
-        if ((s.y() < row && e.y() < row) || (s.y() > row && e.y() > row)) continue;
-        const double t = s.y() == e.y() ? 0.0 : (row - s.y()) / (e.y() - s.y());
-        for (const double x :
-             {s.x() + t * (e.x() - s.x()), s.y() == e.y() ? e.x() : s.x() + t * (e.x() - s.x())}) {
-          left = std::min(left, x);
-          right = std::max(right, x);
-        }
+        // A level side adds nothing to the ends of the other two.
+        if (s.y() == e.y() || std::min(s.y(), e.y()) > row || std::max(s.y(), e.y()) < row) continue;
+        const double x = s.x() + (row - s.y()) / (e.y() - s.y()) * (e.x() - s.x());
+        left = std::min(left, x);
+        right = std::max(right, x);
       }
       const int begin = std::max(0, static_cast<int>(std::ceil(left)));
       const int end = std::min(side() - 1, static_cast<int>(std::floor(right)));
