@@ -95,6 +95,15 @@ class Raster {
   std::vector<std::uint8_t> marks_;
 };
 
+/// Where the ray in direction `ray` meets the line through a and b [m]; the farther end where it runs along.
+double reach_along(const Vec2& ray, const Vec2& a, const Vec2& b) {
+  const Vec2 along = b - a;
+  const double across = ray.x() * along.y() - ray.y() * along.x();
+  const double farthest = std::max(a.norm(), b.norm());
+  if (!(std::abs(across) > 1e-15)) return farthest;
+  return std::min((a.x() * b.y() - a.y() * b.x()) / across, farthest);
+}
+
 /// Farthest point of the mesh in every direction: segments along the rings, which cross all azimuths.
 std::vector<double> outline_of(const DrapeGeometry& geometry, const PolarMesh& mesh) {
   std::vector<double> outline(kShadowDirections, 0.5 * geometry.disc);
@@ -102,19 +111,14 @@ std::vector<double> outline_of(const DrapeGeometry& geometry, const PolarMesh& m
   for (int ring = 0; ring <= mesh.rings; ++ring) {
     for (int direction = 0; direction < kShadowDirections; ++direction) {
       const Vec2 a = mesh.at(ring, direction).head<2>(), b = mesh.at(ring, direction + 1).head<2>();
-      double from = std::atan2(a.y(), a.x());
-      double turn = std::remainder(std::atan2(b.y(), b.x()) - from, kTurn);
-      if (turn < 0.0) from += turn, turn = -turn;
-      const double normal = a.x() * b.y() - a.y() * b.x();
-      for (auto k = static_cast<long>(std::ceil(from / step)); static_cast<double>(k) * step <= from + turn;
-           ++k) {
-        // Where the ray at this azimuth meets the segment.
-        const Vec2 ray(std::cos(static_cast<double>(k) * step), std::sin(static_cast<double>(k) * step));
-        const Vec2 along = b - a;
-        const double across = ray.x() * along.y() - ray.y() * along.x();
-        const double radius = std::abs(across) > 1e-15 ? normal / across : std::max(a.norm(), b.norm());
-        const auto bin = static_cast<Index>((k % kShadowDirections + kShadowDirections) % kShadowDirections);
-        outline[bin] = std::max(outline[bin], std::min(radius, std::max(a.norm(), b.norm())));
+      const double start = std::atan2(a.y(), a.x());
+      const double end = start + std::remainder(std::atan2(b.y(), b.x()) - start, kTurn);
+      const int first = static_cast<int>(std::ceil(std::min(start, end) / step));
+      const int last = static_cast<int>(std::floor(std::max(start, end) / step));
+      for (int k = first; k <= last; ++k) {
+        const double radius = reach_along(Vec2(std::cos(k * step), std::sin(k * step)), a, b);
+        const int bin = (k % kShadowDirections + kShadowDirections) % kShadowDirections;
+        outline[static_cast<Index>(bin)] = std::max(outline[static_cast<Index>(bin)], radius);
       }
     }
   }
