@@ -57,7 +57,8 @@ Rendered render_paper(const Console& console, const RenderOptions& options, cons
   const RelaxationResult& r = moment.relaxation;
   Rendered out;
   out.picture = scene_picture(options.scene, std::move(moment.mesh),
-                              fabric.name + (options.as_printed ? ", as printed" : ""), aspect_of(options));
+                              options.scene + ": " + fabric.name + (options.as_printed ? ", as printed" : ""),
+                              aspect_of(options));
   out.message = "after " + std::to_string(r.steps) + " steps, residual " + format_number(r.residual) +
                 " node weights" + (r.converged ? "" : ", not at rest");
   out.json.set("steps", std::int64_t{r.steps})
@@ -71,7 +72,7 @@ Rendered render_paper(const Console& console, const RenderOptions& options, cons
 Rendered render_engine(const Console& console, const RenderOptions& options, const Fabric& fabric,
                        const EngineScene& scene, std::optional<double> seconds) {
   SceneRunner<float> runner(scene);
-  const double until = seconds.value_or(scene.seconds);
+  const double until = seconds.value_or(scene.shown_at());
   const std::int64_t steps = until > 0.0 ? steps_of(until, kRenderStep, "--time") : 0;
   const Progress progress = console.progress();
   StepReport report;
@@ -87,7 +88,8 @@ Rendered render_engine(const Console& console, const RenderOptions& options, con
   Rendered out;
   char time[32];
   std::snprintf(time, sizeof time, ", %.4g s", until);
-  out.picture = engine_scene_picture(scene, state, hands, fabric.name + time, aspect_of(options));
+  out.picture =
+      engine_scene_picture(scene, state, hands, scene.name + ": " + fabric.name + time, aspect_of(options));
   out.message = "after " + format_number(until) + " s, residual " + format_number(report.residual) + " N";
   out.json.set("steps", steps)
       .set("residual_N", report.residual)

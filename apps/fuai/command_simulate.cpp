@@ -15,6 +15,7 @@
 #include "fuai/io/fabric_library.h"
 #include "fuai/io/text_file.h"
 #include "fuai/runtime/spin_team.h"
+#include "fuai/solver/explicit.h"
 #include "scene_options.h"
 
 namespace fuai_app {
@@ -55,13 +56,20 @@ struct Plan {
   std::int64_t steps = 0;
   bool record = false;
   int threads = 1;
+  const SolverEntry* solver = nullptr;
+  int inner_steps = 0;  ///< asked for; 0: the solver's own
 };
+
+bool is_implicit(const SolverEntry& solver) {
+  return solver.kind == SolverKind::kImplicit || solver.kind == SolverKind::kDouble;
+}
 
 /// Slots from which a second thread pays: below, handing over costs as much as it brings (bench_engine).
 constexpr int kSlotsForTwo = 5000;
 
 /// Threads of the solver: what was asked for, else two where they pay and the machine has them.
-int threads_for(int asked, const EngineScene& scene) {
+int threads_for(int asked, const EngineScene& scene, const SolverEntry& solver) {
+  if (!is_implicit(solver)) return 1;
   if (asked > 0) return std::min(asked, 64);
   return scene.model.slot_count() >= kSlotsForTwo && std::thread::hardware_concurrency() > 1 ? 2 : 1;
 }
@@ -77,7 +85,8 @@ struct Run {
   double residual = 0.0;       ///< after the last step [N]
   std::vector<float> step_us;  ///< sorted
   std::string record;
-  const char* target = "";
+  std::string target;   ///< empty: no vector kernels
+  int inner_steps = 1;  ///< of the last tick
 };
 
 void note(Run& run, const StepReport& report) {
@@ -103,12 +112,11 @@ void add_row(std::string& record, double time, const Vec3& hand, const GraspRead
   record += text;
 }
 
-template <class T>
-Run run_scene_of(const EngineScene& scene, const Plan& plan, const Progress& progress) {
+Run run_plan(const EngineScene& scene, const Plan& plan, const Progress& progress) {
   using Clock = std::chrono::steady_clock;
-  SceneRunner<T> runner(scene);
+  SceneRun runner(scene, plan.solver->kind, plan.inner_steps);
   SpinTeam team(plan.threads);
-  runner.simulation().solver().set_team(&team);
+  runner.simulation().any_solver().set_team(&team);
   Run run;
   run.step_us.reserve(static_cast<std::size_t>(plan.steps));
   if (plan.record) run.record = kRecordHead;
@@ -129,7 +137,8 @@ Run run_scene_of(const EngineScene& scene, const Plan& plan, const Progress& pro
       progress(scene.name, static_cast<double>(i) / static_cast<double>(plan.steps));
   }
   run.reading = runner.simulation().read();
-  run.target = runner.simulation().solver().target();
+  run.target = runner.simulation().any_solver().target();
+  run.inner_steps = runner.simulation().any_solver().inner_steps(plan.dt);
   std::sort(run.step_us.begin(), run.step_us.end());
   return run;
 }
@@ -171,19 +180,31 @@ JsonValue report_of(const EngineScene& scene, const Plan& plan, const Run& run) 
   for (std::size_t i = 0; i < kStatusWords.size(); ++i) ticks.set(kStatusWords[i].key, run.status_ticks[i]);
   json.set("status_ticks", ticks.set("saturated", run.saturated));
   const auto live = std::count(scene.model.live.begin(), scene.model.live.end(), 1);
-  json.set("residual_N", run.residual)
+  json.set("residual_N", plan.solver->solves_equation ? JsonValue(run.residual) : JsonValue())
       .set("steps", plan.steps)
       .set("seconds", static_cast<double>(plan.steps) * plan.dt)
       .set("nodes", std::int64_t{live})
       .set("spacing_m", scene.model.spacing)
-      .set("target", run.target);
+      .set("target", run.target.empty() ? JsonValue() : JsonValue(run.target))
+      .set("solver", std::string(plan.solver->name))
+      .set("precision", std::string(plan.solver->precision))
+      .set("has_time", plan.solver->has_time)
+      .set("inner_steps", run.inner_steps);
   return json;
+}
+
+/// How the steps were done.
+std::string solver_words(const Plan& plan, const Run& run) {
+  if (is_implicit(*plan.solver)) return " on " + run.target;
+  const std::string inner = std::to_string(run.inner_steps);
+  if (plan.solver->has_time) return ", each of " + inner + " explicit substeps";
+  return ", each " + inner + " steps of the paper's descent, which has no time";
 }
 
 void print_report(const Console& console, const EngineScene& scene, const Plan& plan, const Run& run) {
   const auto micro = [&](double share) { return format_number(quantile(run.step_us, share)); };
   console.line(scene.name + ": " + std::to_string(plan.steps) + " steps of " + format_number(1e3 * plan.dt) +
-               " ms on " + run.target + ", status " + status_words(run.status));
+               " ms" + solver_words(plan, run) + ", status " + status_words(run.status));
   console.line("step          " + micro(0.5) + " us median, " + micro(0.99) + " us at 99 %, " +
                format_number(static_cast<double>(run.step_us.back())) + " us at most");
   console.line("max strain    " + format_number(100.0 * run.reading.max_strain) + " %");
@@ -194,15 +215,26 @@ void print_report(const Console& console, const EngineScene& scene, const Plan& 
                  format_number(run.most_force) + " N, slipped in " + std::to_string(run.saturated) +
                  " steps");
   }
-  console.line("residual      " + format_number(run.residual) + " N");
+  if (plan.solver->solves_equation) console.line("residual      " + format_number(run.residual) + " N");
   console.line("state hash    " + hash_text(run.reading.state_hash));
 }
 
-Plan make_plan(const SimulateOptions& options, const EngineScene& scene) {
+/// Substeps that are not stable are refused before the run.
+void check_substeps(const EngineScene& scene, double dt, int substeps) {
+  const double bound = stable_substep(scene.model, scene.material);
+  if (dt / substeps <= bound) return;
+  throw Error(ErrorKind::kUsage,
+              "--iterations: " + std::to_string(substeps) + " explicit substeps of " +
+                  format_number(1e6 * dt / substeps) + " us are not stable",
+              {}, "take at least " + format_number(std::ceil(dt / bound)) + ", or leave it out");
+}
+
+Plan make_plan(const SimulateOptions& options, const EngineScene& scene, const SolverEntry& solver) {
   Plan plan;
+  plan.solver = &solver;
   plan.dt = time_value(options.dt, "--dt", false);
   if (!(plan.dt >= kLeastStep && plan.dt <= kMostStep)) {
-    throw Error(ErrorKind::kUsage, "--dt: '" + options.dt + "' is no step of the engine", {},
+    throw Error(ErrorKind::kUsage, "--dt: '" + options.dt + "' is no step of a scene", {},
                 "take 1us to 1s; 1ms is usual");
   }
   const double seconds =
@@ -210,6 +242,9 @@ Plan make_plan(const SimulateOptions& options, const EngineScene& scene) {
   if (!(seconds > 0.0))
     throw Error(ErrorKind::kUsage, "--seconds must be more than 0", {}, "give a time such as 2s");
   plan.steps = steps_of(seconds, plan.dt, "--seconds");
+  if (!is_implicit(solver)) plan.inner_steps = options.iterations;
+  if (solver.kind == SolverKind::kExplicit && plan.inner_steps > 0)
+    check_substeps(scene, plan.dt, plan.inner_steps);
   plan.record = !options.record.empty();
   if (plan.record && plan.steps > kMostRecorded) {
     throw Error(ErrorKind::kUsage,
@@ -223,10 +258,13 @@ Plan make_plan(const SimulateOptions& options, const EngineScene& scene) {
 
 int run_simulate(const Console& console, const SimulateOptions& options) {
   if (named_scene(options.scene).kind == SceneKind::kPaper) {
-    throw Error(ErrorKind::kUsage,
-                "'" + options.scene + "' is a scene of the paper, whose descent has no time to simulate", {},
-                "run it with `fuai paper` or `fuai render`, or take corner_drape or bending");
+    throw Error(
+        ErrorKind::kUsage,
+        "'" + options.scene + "' is a scene of the paper, whose descent has no time to simulate", {},
+        "run it with `fuai paper` or `fuai render`, or take corner_drape or bending, which --solver paper "
+        "runs by the paper's descent");
   }
+  const SolverEntry& solver = named_solver(options.solver, options.precision);
   if (!options.record.empty()) {
     if (!options.record.ends_with(".csv")) {
       throw Error(ErrorKind::kUsage, "--record: records are CSV files, got '" + options.record + "'", {},
@@ -238,21 +276,17 @@ int run_simulate(const Console& console, const SimulateOptions& options) {
   const Fabric fabric = load_fabric(options.fabric);
   for (const std::string& warning : fabric.warnings) console.warn(warning);
   EngineScene scene = make_engine_scene(options.scene, make_fabric_laws(fabric), size);
-  if (options.iterations > 0) scene.options.implicit.iterations = options.iterations;
-  Plan plan = make_plan(options, scene);
-  plan.threads = threads_for(console.options().threads, scene);
-  const Run run = options.precision == "double" ? run_scene_of<double>(scene, plan, console.progress())
-                                                : run_scene_of<float>(scene, plan, console.progress());
+  if (options.iterations > 0 && is_implicit(solver)) scene.options.implicit.iterations = options.iterations;
+  Plan plan = make_plan(options, scene, solver);
+  plan.threads = threads_for(console.options().threads, scene, solver);
+  const Run run = run_plan(scene, plan, console.progress());
   if (plan.record) {
     write_atomically(options.record, run.record);
     console.say("wrote " + options.record);
   }
   print_report(console, scene, plan, run);
   JsonValue json = report_of(scene, plan, run);
-  json.set("scene", scene.name)
-      .set("fabric", fabric.id)
-      .set("precision", options.precision)
-      .set("threads", plan.threads);
+  json.set("scene", scene.name).set("fabric", fabric.id).set("threads", plan.threads);
   console.result(json);
   if ((run.status & StepReport::kNotFinite) == 0) return 0;
   throw Error(ErrorKind::kCheckFailed,

@@ -55,9 +55,10 @@ struct SimulateOptions {
   std::string spacing;     ///< with unit; empty: the scene's own
   std::string dt = "1ms";  ///< with unit
   std::string seconds;     ///< a number of seconds, or a time with unit; empty: the scene's own
-  int iterations = 0;      ///< 0: the solver's own
-  std::string precision = "float";
-  std::string record;  ///< CSV file; empty: none
+  std::string solver = "implicit";
+  int iterations = 0;     ///< 0: the solver's own
+  std::string precision;  ///< empty: the solver's own
+  std::string record;     ///< CSV file; empty: none
 };
 int run_simulate(const Console& console, const SimulateOptions& options);
 

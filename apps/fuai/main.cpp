@@ -104,7 +104,7 @@ void add_simulate_command(CLI::App& app, Parsed& parsed) {
   constexpr int kMostIterations = 1000;
   SimulateOptions& options = parsed.simulate;
   CLI::App* command = app.add_subcommand(
-      "simulate", "A scene in time on the cloth engine: state, force, energy, time a step");
+      "simulate", "A scene in time on the cloth engine or another solver: state, force, energy, time a step");
   command->add_option("SCENE", options.scene, "A name that `fuai scenes` lists, not one of the paper's")
       ->required();
   command->add_option("--fabric", options.fabric, "Bundled name or path of a fabric file")
@@ -114,17 +114,27 @@ void add_simulate_command(CLI::App& app, Parsed& parsed) {
   command->add_option("--seconds", options.seconds,
                       "How long, up to 3600; a number of seconds or a time such as 500ms. Default: the "
                       "scene's own");
-  command->add_option("--iterations", options.iterations, "Conjugate gradients a linearisation. Default: 8")
+  std::string solvers = "Who computes:";
+  for (const fuai::SolverEntry& entry : fuai::solver_entries())
+    solvers.append("\n").append(entry.name).append(" - ").append(entry.description);
+  command->add_option("--solver", options.solver, solvers)->capture_default_str();
+  command
+      ->add_option(
+          "--iterations", options.iterations,
+          "Conjugate gradients a linearisation, default 8; substeps of the explicit solver, default as "
+          "many as are safe; steps of the paper's in a tick, default 100")
       ->check(CLI::Range(1, kMostIterations));
-  command->add_option("--precision", options.precision, "float, as at run time, or double, to check")
-      ->check(CLI::IsMember({"float", "double"}))
-      ->capture_default_str();
+  command
+      ->add_option("--precision", options.precision,
+                   "Of the implicit solver: float, as at run time, or double, as --solver double")
+      ->check(CLI::IsMember({"float", "double"}));
   command->add_option("--record", options.record,
                       "CSV file with a row a step: time, hand, force, moment, status, residual");
   command->footer(
       "Examples:\n  fuai simulate hanging_sheet\n"
       "  fuai simulate taut_patch --fabric wool-tropical --seconds 1 --record pull.csv\n"
-      "  fuai --json simulate corner_drape --spacing 5mm --dt 500us --precision double");
+      "  fuai --json simulate corner_drape --spacing 5mm --dt 500us --solver double\n"
+      "  fuai simulate corner_drape --solver paper");
   command->callback([&] { parsed.run = [&](const Console& c) { return run_simulate(c, parsed.simulate); }; });
 }
 
@@ -145,10 +155,10 @@ void add_scene_commands(CLI::App& app, Parsed& parsed) {
   render->add_option("SCENE", parsed.render.scene, "A name that `fuai scenes` lists")->required();
   render->add_option("--fabric", parsed.render.fabric, "Bundled name or path of a fabric file")
       ->capture_default_str();
-  render->add_option(
-      "--time", parsed.render.time,
-      "Time with unit, e.g. 2s. Default: the scene's own. Scenes of the paper count ten updates "
-      "a second, as the paper did; their default: at rest");
+  render->add_option("--time", parsed.render.time,
+                     "Time with unit, e.g. 2s. Default: when the scene shows what it is about. Scenes of the "
+                     "paper count ten updates "
+                     "a second, as the paper did; their default: at rest");
   render->add_option("-o,--output", parsed.render.output, "PNG file to write")->required();
   add_size_options(*render, parsed.render.size, parsed.render.spacing);
   render->add_option("--width", parsed.render.width, "Pixels")

@@ -15,16 +15,35 @@ namespace fuai_app {
 
 using namespace fuai;
 
-const SceneEntry& named_scene(const std::string& name) {
+namespace {
+
+/// find(name), whose error names the nearest of the entries too.
+template <class Find, class Entries>
+decltype(auto) find_named(const Find& find, const std::string& name, const Entries& entries) {
   try {
-    return find_scene(name);
+    return find(name);
   } catch (const Error& e) {
     std::vector<std::string> names;
-    for (const SceneEntry& entry : scene_entries()) names.emplace_back(entry.name);
+    for (const auto& entry : entries) names.emplace_back(entry.name);
     const std::vector<std::string> nearest = nearest_names(name, names);
     throw Error(e.kind(), e.problem(), e.where(),
                 (nearest.empty() ? "" : "did you mean " + nearest.front() + "? ") + e.cure());
   }
+}
+
+}  // namespace
+
+const SceneEntry& named_scene(const std::string& name) {
+  return find_named(find_scene, name, scene_entries());
+}
+
+const SolverEntry& named_solver(const std::string& name, const std::string& precision) {
+  const SolverEntry& solver = find_named(find_solver, name, solver_entries());
+  if (precision.empty() || precision == solver.precision) return solver;
+  if (solver.kind == SolverKind::kImplicit) return solver_entry(SolverKind::kDouble);
+  throw Error(ErrorKind::kUsage,
+              "--precision: the solver '" + name + "' computes in " + std::string(solver.precision) + " only",
+              {}, "leave --precision out");
 }
 
 SceneOptions scene_options(int size, const std::string& spacing) {

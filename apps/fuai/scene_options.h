@@ -16,6 +16,11 @@ inline constexpr std::int64_t kMostSteps = 10'000'000;
 /// The scene of that name. @throws Error (kUsage) with the nearest name and all names.
 const fuai::SceneEntry& named_scene(const std::string& name);
 
+/// The solver of that name.
+/// @param precision "float", "double", or empty: the solver's own. The implicit solver has both.
+/// @throws Error (kUsage) with the nearest name and all names, and for a precision that it does not have.
+const fuai::SolverEntry& named_solver(const std::string& name, const std::string& precision);
+
 /// @param spacing with unit, or empty. @throws Error (kUsage).
 fuai::SceneOptions scene_options(int size, const std::string& spacing);
 

@@ -83,6 +83,36 @@ class Unit(Case):
         self.assertEqual(len(set(runs)), len(runs))
         self.assertEqual(hash_of("--precision", "float", "--dt", "1ms", "--iterations", "8", seconds="20ms"), runs[0])
 
+    def test_any_solver_runs_a_scene_and_the_json_says_which_and_what_a_tick_is(self):
+        usual = self.json_of("simulate", "bending", *SMALL)
+        runs = {name: self.json_of("simulate", "bending", *SMALL, "--solver", name)
+                for name in ["implicit", "double", "explicit", "paper"]}
+        self.assertEqual(runs["implicit"]["state_hash"], usual["state_hash"])
+        self.assertEqual(runs["double"]["state_hash"],
+                         self.json_of("simulate", "bending", *SMALL, "--precision", "double")["state_hash"])
+        self.assertEqual(len({run["state_hash"] for run in runs.values()}), 4)
+        self.assertEqual((usual["solver"], usual["precision"], usual["has_time"], usual["inner_steps"]),
+                         ("implicit", "float", True, 1))
+        for name, run in runs.items():
+            self.assertEqual(run["solver"], name)
+            self.assertEqual(run["precision"], "float" if name == "implicit" else "double", name)
+            self.assertEqual(run["has_time"], name != "paper", name)
+            self.assertEqual(set(run), set(usual), name)
+        self.assertEqual(runs["paper"]["inner_steps"], 100)
+        self.assertEqual(runs["paper"]["energy_J"]["kinetic"], 0)
+        self.assertGreater(runs["explicit"]["inner_steps"], 10)
+        self.assertIsNone(runs["explicit"]["residual_N"])
+        for name in ["explicit", "paper"]:
+            self.assertIsNone(runs[name]["target"])
+            self.assertEqual(runs[name]["threads"], 1)
+        few = self.json_of("simulate", "bending", *SMALL, "--solver", "paper", "--iterations", "3")
+        self.assertEqual(few["inner_steps"], 3)
+        self.assertNotEqual(few["state_hash"], runs["paper"]["state_hash"])
+        fine = self.json_of("simulate", "bending", *SMALL, "--solver", "explicit", "--iterations", "1000")
+        self.assertEqual(fine["inner_steps"], 1000)
+        said = self.run_program("simulate", "bending", *SMALL, "--solver", "paper").stdout
+        self.assertIn("20 steps of 1 ms, each 100 steps of the paper's descent, which has no time", said)
+
     def test_people_read_a_short_summary(self):
         done = self.run_program("simulate", "taut_patch", *SMALL)
         for word in ["20 steps of 1 ms", "max strain", "grasp force", "state hash"]:
@@ -113,6 +143,14 @@ class Safety(Case):
             (["table_edge", "--seconds", "3600", "--dt", "1us"], "more than ten million"),
             (["table_edge", "--seconds", "3600", "--record", "a.csv"], "more than a million rows"),
             (["table_edge", "--record", "a.txt"], "end the name in .csv"),
+            (["table_edge", "--solver", "explict"], "did you mean explicit? the solvers are implicit, double, explicit, paper"),
+            (["table_edge", "--solver", "explicit", "--precision", "float"], "computes in double only"),
+            (["table_edge", "--solver", "double", "--precision", "float"], "computes in double only"),
+            (["table_edge", "--solver", "explicit", "--iterations", "1"], "are not stable; take at least"),
+            (["yank", "--solver", "paper"], "'yank' is about speed"),
+            (["shake", "--solver", "paper"], "'shake' is about speed"),
+            (["corner_drape", "--spacing", "7.5mm", "--solver", "paper"], "rectangles of whole cells"),
+            (["paper_drape", "--solver", "paper"], "--solver paper"),
         ]:
             done = self.run_program("simulate", *words, expect=2)
             self.assertIn(says, done.stderr, words)

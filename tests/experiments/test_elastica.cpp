@@ -7,26 +7,13 @@
 #include "fuai/core/error.h"
 #include "fuai/experiments/elastica.h"
 #include "fuai/units/constants.h"
+#include "support/elastica_table.h"
 
 using namespace fuai;
 
 TEST_SUITE("analytic") {
   TEST_CASE("the heavy elastica has the shape of the reference at every load") {
-    struct Row {
-      double load, tip_deg, reach, droop, chord_deg, root, peirce;
-    };
-    constexpr Row kRows[] = {{0.5, 4.763376, .99777900, .06230577, 3.57316, .2496112, 1.0004},
-                             {1, 9.460425, .99124640, .12347140, 7.10029, .4969334, 1.0016},
-                             {2, 18.425967, .96689295, .23850658, 13.85670, .9767427, 1.0061},
-                             {4, 33.723859, .89011075, .42515928, 25.53136, 1.8442544, 1.0209},
-                             {5, 39.935432, .84665718, .49590504, 30.35841, 2.2268926, 1.0298},
-                             {8, 53.864996, .72442473, .64063072, 41.48730, 3.2015764, 1.0575},
-                             {10, 60.312008, .65635376, .70019972, 46.85125, 3.7421911, 1.0751},
-                             {20, 76.747785, .44523205, .82988144, 61.78641, 5.7615326, 1.1510},
-                             {40, 85.902529, .28351886, .89464339, 72.41622, 8.4599924, 1.2785},
-                             {64, 88.602092, .20920134, .92011284, 77.19071, 10.8523935, 1.4216},
-                             {100, 89.616748, .15922338, .93752394, 80.36120, 13.6932387, 1.6219}};
-    for (const Row& row : kRows) {
+    for (const fuai_test::HeavyRow& row : fuai_test::kHeavyRows) {
       CAPTURE(row.load);
       const HeavyElastica shape = heavy_elastica(row.load);
       // Half a unit of the reference's last digit, and a little.

@@ -9,6 +9,7 @@
 #include "fuai/core/error.h"
 #include "fuai/scenes/catalogue.h"
 #include "fuai/scenes/engine_scenes.h"
+#include "fuai/scenes/lift_motion.h"
 #include "fuai/scenes/scene_sheet.h"
 #include "support/allocation_guard.h"
 #include "support/linear_laws.h"
@@ -182,6 +183,8 @@ TEST_SUITE("property") {
     const EngineScene scene = make_grasp_and_lift(cloth_laws(), {13, 0.0});
     SceneRunner<float> runner(scene);
     CHECK(!runner.hand_reading(0).holds);
+    CHECK(scene.motion->hand(0, scene.shown_at()).holds);  // a picture shows the lift, not the end
+    CHECK(make_bending(cloth_laws()).shown_at() == 1.0);
     run(runner, 1500);
     const GraspReading held = runner.hand_reading(0);
     CHECK(held.holds);
@@ -211,6 +214,32 @@ TEST_SUITE("property") {
       const double extent = std::string(name) == "yank" ? 0.1 : 0.3;
       CHECK((high - low).maxCoeff() == doctest::Approx(extent).epsilon(1e-9));
     }
+  }
+
+  TEST_CASE("a lift rises, stays, comes back, lets go, and keeps the length of a cantilever") {
+    LiftPath path;
+    path.start = Vec3(0.1, 0.2, 0.3);
+    path.height = 0.04;
+    path.begins = 0.5;
+    path.ends = 1.0;
+    path.back_begins = 2.0;
+    path.back_ends = 3.0;
+    path.lets_go = 2.5;
+    path.cantilever = 0.2;
+    const auto lift = make_lift_motion(path);
+    CHECK(lift->hand(0, 0.0).position == path.start);
+    CHECK(lift->hand(0, 3.0).position == path.start);
+    const Vec3 top = lift->hand(0, 1.5).position - path.start;
+    // To rounding. A cantilever of this tip, w = z s^2 (3 L - s) / (2 L^3), is shorter by 3/5 z^2 / L.
+    CHECK((top - Vec3(0.0, -0.6 * 0.04 * 0.04 / 0.2, 0.04)).norm() < 1e-15);
+    CHECK(lift->hand(0, 2.499).holds);
+    CHECK_FALSE(lift->hand(0, 2.5).holds);
+    path.back_ends = path.back_begins = 0.0;
+    path.cantilever = 0.0;
+    CHECK((make_lift_motion(path)->hand(0, 100.0).position - path.start - Vec3(0.0, 0.0, 0.04)).norm() <
+          1e-15);
+    path.ends = path.begins;
+    CHECK_THROWS_AS(make_lift_motion(path), Error);
   }
 
   TEST_CASE("a smooth rise goes from 0 to 1 without a jump of its slope") {

@@ -35,19 +35,18 @@ struct Kernels {
   ImplicitGrid<T> g;
   ImplicitStepConstants<T> step;
   const ImplicitKernels<T>& k = implicit_kernels<T>();
-  std::vector<T> scratch;
 
   Kernels(const ClothModel& model, const ClothMaterial& material, const ClothState& state,
           const std::vector<Vec3>& positions)
-      : storage(model, material), g(storage.grid()), scratch(static_cast<Index>(k.scratch_size(g)), T(0)) {
+      : storage(model, material, implicit_kernels<T>().lanes), g(storage.grid()) {
     step.dt = static_cast<T>(kDt);
     step.inverse_dt = static_cast<T>(1.0 / kDt);
     fill(model, material, state, state.positions);
-    k.evaluate(g, storage.constants(), step, Evaluation::kForce, scratch.data(), 0, g.rows);
+    k.evaluate(g, storage.constants(), step, Evaluation::kForce, 0, g.rows);
     for (int row = 0; row < g.rows; ++row) {  // strains at x_n
       for (int c = 0; c < g.columns; ++c) {
-        g.weft_strain_n[g.at(row) + c] = g.strain[3][g.at(row) + c];
-        g.warp_strain_n[g.at(row) + c] = g.strain[4][g.at(row) + c];
+        g.weft_strain_n[g.index(c, row)] = g.strain[3][g.index(c, row)];
+        g.warp_strain_n[g.index(c, row)] = g.strain[4][g.index(c, row)];
       }
     }
     fill(model, material, state, positions);
@@ -60,7 +59,7 @@ struct Kernels {
     for (int row = 0; row < model.rows; ++row) {
       for (int c = 0; c < model.columns; ++c) {
         const auto i = static_cast<Index>(model.slot(c, row));
-        const std::ptrdiff_t p = g.at(row) + c;
+        const std::ptrdiff_t p = g.index(c, row);
         g.x.x[p] = static_cast<T>(positions[i].x());
         g.x.y[p] = static_cast<T>(positions[i].y());
         g.x.z[p] = static_cast<T>(positions[i].z());
@@ -73,7 +72,7 @@ struct Kernels {
     }
   }
   Vec3 force(int column, int row) const {
-    const std::ptrdiff_t p = g.at(row) + column;
+    const std::ptrdiff_t p = g.index(column, row);
     return {static_cast<double>(g.force.x[p]), static_cast<double>(g.force.y[p]),
             static_cast<double>(g.force.z[p])};
   }
@@ -102,8 +101,8 @@ double force_difference(const ClothMaterial& material) {
   std::vector<Vec3> reference(static_cast<Index>(scene.model.slot_count()));
   evaluate_cloth(scene.model, material, scene.state, scene.trial, {kDt, Vec3::Zero()}, reference);
   Kernels<T> kernels(scene.model, material, scene.state, scene.trial);
-  kernels.k.evaluate(kernels.g, kernels.storage.constants(), kernels.step, Evaluation::kForce,
-                     kernels.scratch.data(), 0, kernels.g.rows);
+  kernels.k.evaluate(kernels.g, kernels.storage.constants(), kernels.step, Evaluation::kForce, 0,
+                     kernels.g.rows);
   double largest = 0.0, difference = 0.0;
   for (int row = 0; row < scene.model.rows; ++row) {
     for (int c = 0; c < scene.model.columns; ++c) {

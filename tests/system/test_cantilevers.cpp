@@ -1,11 +1,11 @@
 // Cantilevered strips under their own weight and under a load at the tip, against the elastica.
 // SPDX-License-Identifier: Apache-2.0
-// Source: reference values by shooting, six digits: clamped horizontally, L the free length, w weight an
-// area, P load a width; lambda = w L^3 / B, alpha = P L^2 / B.
+// Source: reference values of support/elastica_table.h.
 #include <algorithm>
 #include <string>
 
 #include "fuai/core/constants.h"
+#include "support/elastica_table.h"
 #include "system/linear_cloth.h"
 
 using namespace fuai;
@@ -18,13 +18,19 @@ struct Elastica {
   double load, ahead, droop;
 };
 
-constexpr Elastica kHeavy[] = {{1, .99124640, .12347140},  {4, .89011075, .42515928},
-                               {8, .72442473, .64063072},  {20, .44523205, .82988144},
-                               {40, .28351886, .89464339}, {64, .20920134, .92011284}};
-constexpr Elastica kPointLoaded[] = {{.25, .99588218, .08274592}, {.5, .98408104, .16214358},
-                                     {1, .94356676, .30172077},   {2, .83935828, .49345748},
-                                     {3, .74557982, .60325344},   {5, .61237164, .71379152},
-                                     {10, .44500440, .81060902}};
+/// The demanded loads of the strip under its own weight.
+std::vector<Elastica> heavy() {
+  std::vector<Elastica> rows;
+  for (const HeavyRow& row : kHeavyRows)
+    for (double load : {1.0, 4.0, 8.0, 20.0, 40.0, 64.0})
+      if (row.load == load) rows.push_back({row.load, row.reach, row.droop});
+  return rows;
+}
+std::vector<Elastica> point_loaded() {
+  std::vector<Elastica> rows;
+  for (const PointRow& row : kPointRows) rows.push_back({row.load, row.reach, row.droop});
+  return rows;
+}
 
 constexpr double kLength = 0.2, kRigidity = 1e-5;  // [m], [N m]
 
@@ -87,14 +93,14 @@ void check_order(std::span<const Elastica> loads, bool at_the_tip) {
 
 TEST_SUITE("analytic") {
   TEST_CASE("a strip bent by its own weight is the heavy elastica within 0.1 % at 40 segments") {
-    check_strip(kHeavy, false);
+    check_strip(heavy(), false);
   }
   TEST_CASE("a strip bent by a load at its tip is the elastica within 0.1 % at 40 segments") {
-    check_strip(kPointLoaded, true);
+    check_strip(point_loaded(), true);
   }
 }
 
 TEST_SUITE("convergence+slow") {
-  TEST_CASE("strips bent by their own weight converge with order 2") { check_order(kHeavy, false); }
-  TEST_CASE("strips bent by a load at the tip converge with order 2") { check_order(kPointLoaded, true); }
+  TEST_CASE("strips bent by their own weight converge with order 2") { check_order(heavy(), false); }
+  TEST_CASE("strips bent by a load at the tip converge with order 2") { check_order(point_loaded(), true); }
 }

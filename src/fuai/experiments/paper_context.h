@@ -64,9 +64,16 @@ std::unique_ptr<PaperFigure> make_figure_6();
 /// Figure 7 or 8: curvature against force of one fabric. @param stands_for the paper's bending characteristic
 std::unique_ptr<PaperFigure> make_force_figure(const std::string& number, const std::string& fabric_id,
                                                const std::string& stands_for);
+/// What the engine's figures run; the defaults are those of the page.
+struct EngineFigureOptions {
+  std::vector<std::string> drapes{"graded-1", "graded-3", "graded-6", "graded-10"};  ///< fabrics
+  std::vector<std::string> strips{"wool-tropical", "polyester-faille"};              ///< fabrics
+  /// Arc curvatures of the strips [1/m]: out to a half turn and back, as in Figures 7 and 8 in wider steps.
+  std::vector<double> curvatures{4.0, 8.0, 12.0, 16.0, 20.0, 16.0, 12.0, 8.0, 4.0};
+};
 /// Figure 4, and Figures 6 to 8, on the cloth engine: the third form.
-std::unique_ptr<PaperFigure> make_engine_drapes();
-std::unique_ptr<PaperFigure> make_engine_strips();
+std::unique_ptr<PaperFigure> make_engine_drapes(const EngineFigureOptions& options = {});
+std::unique_ptr<PaperFigure> make_engine_strips(const EngineFigureOptions& options = {});
 /// Not in the paper: the laws driven through the measured nested cycles.
 std::unique_ptr<PaperFigure> make_measured_cycles();
 

@@ -30,42 +30,45 @@ ClothMaterial material_of(const FabricLaws& laws) {
   return material;
 }
 
-/// Largest force out of balance on a free slot, in weights of a node [-].
-double node_residual(const ClothModel& model, const ClothMaterial& material, const ClothState& state,
-                     const Vec3& gravity) {
-  std::vector<Vec3> forces(state.positions.size());
-  evaluate_cloth(model, material, state, state.positions, {0.0, gravity}, forces);
-  double largest = 0.0;
-  for (std::size_t i = 0; i < forces.size(); ++i) {
-    if (model.live[i] == 0 || model.fixed[i] != 0) continue;
-    largest = std::max(largest, (forces[i] + model.areal_mass * model.node_area[i] * gravity).norm());
-  }
-  return largest / (model.areal_mass * model.spacing * model.spacing * kStandardGravity);
+/// Sheet and block of the paper at a spacing.
+ClothModel drape_model(double areal_mass, double spacing) {
+  const PaperDrapeOptions paper;
+  ClothPieceSpec spec;
+  spec.outline = make_rectangle_outline(paper.edge, paper.edge);
+  spec.spacing = spacing;
+  spec.areal_mass = areal_mass;
+  const double block = paper.fixed_edge;
+  spec.clamps.push_back({make_rectangle_region(Vec2(-paper.edge, -paper.edge), Vec2(block, block)), true});
+  return make_cloth_model(spec);
+}
+
+double mobile_weight(const ClothModel& model) {
+  double area = 0.0;
+  for (std::size_t i = 0; i < model.node_area.size(); ++i)
+    area += model.fixed[i] != 0 ? 0.0 : model.node_area[i];
+  return area * model.areal_mass * kStandardGravity;
 }
 
 }  // namespace
 
 EngineDrape drape_on_engine(const std::string& fabric_id, double spacing, const Progress& progress) {
-  const PaperDrapeOptions paper;
   const Fabric fabric = load_fabric(fabric_id);
   const FabricLaws laws = make_fabric_laws(fabric);
-  ClothPieceSpec spec;
-  spec.outline = make_rectangle_outline(paper.edge, paper.edge);
-  spec.spacing = spacing;
-  spec.areal_mass = laws.areal_mass;
-  const double block = paper.fixed_edge;
-  spec.clamps.push_back({make_rectangle_region(Vec2(-paper.edge, -paper.edge), Vec2(block, block)), true});
   EngineDrape drape;
   drape.id = fabric_id;
   drape.name = fabric.name;
   drape.spacing = spacing;
-  drape.model = make_cloth_model(spec);
+  drape.model = drape_model(laws.areal_mass, spacing);
   drape.state = make_cloth_state(drape.model);
   const ClothMaterial material = material_of(laws);
   EquilibriumOptions options;
   options.most_steps = kDrapeSteps;
+  std::vector<ClothModel> levels;
+  if (const double coarse = PaperDrapeOptions{}.spacing; spacing < coarse)
+    levels.push_back(drape_model(laws.areal_mass, coarse));
+  levels.push_back(drape.model);
   const Stopwatch watch;
-  drape.report = find_equilibrium(drape.model, material, drape.state, options, progress);
+  drape.report = find_equilibrium_nested(levels, material, drape.state, options, progress);
   if (!drape.report.converged) {
     // It runs to and fro across a corner of a law: from there with a search along each step.
     const EquilibriumReport first = drape.report;
@@ -82,7 +85,8 @@ EngineDrape drape_on_engine(const std::string& fabric_id, double spacing, const 
   drape.corner_z = height(model.columns - 1, model.rows - 1);
   drape.side_z = height(model.columns - 1, 0);
   drape.max_strain = max_edge_strain(model, drape.state);
-  drape.residual = node_residual(model, material, drape.state, options.gravity);
+  const double node_weight = model.areal_mass * spacing * spacing * kStandardGravity;
+  drape.residual = drape.report.residual * mobile_weight(model) / node_weight;
   return drape;
 }
 

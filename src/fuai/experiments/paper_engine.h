@@ -22,11 +22,13 @@ struct EngineDrape {
   EquilibriumReport report;
   double corner_z = 0.0, side_z = 0.0;  ///< of the free corner and of the one beside the block [m]
   double max_strain = 0.0;              ///< largest of a yarn edge [-]
-  double residual = 0.0;                ///< largest force out of balance on a node, in weights of a node
-  double seconds = 0.0;                 ///< wall clock
+  double residual = 0.0;  ///< force out of balance, root of the sum of squares: no less than the
+                          ///< largest on a node, in weights of a node
+  double seconds = 0.0;   ///< wall clock
 };
 
-/// Drapes a bundled fabric, let go from flat.
+/// Drapes a bundled fabric, let go from flat. A sheet finer than the paper's starts from the shape of the
+/// paper's spacing, so that both show the same one of the many shapes of rest.
 /// @param spacing [m], a whole part of the paper's 17 cm. Thread class: set-up.
 EngineDrape drape_on_engine(const std::string& fabric_id, double spacing, const Progress& progress);
 

@@ -21,7 +21,8 @@ struct PaperPageOptions {
 struct PaperSummaryRow {
   std::string figure, fabric, mode;
   long long steps = 0;
-  double residual_node_weights = 0.0;  ///< largest out-of-balance force in weights of a node
+  double residual_node_weights = 0.0;  ///< largest out-of-balance force in weights of a node; on the engine
+                                       ///< the root of the sum of squares, which is no less
   bool converged = false;
   double seconds = 0.0;  ///< wall clock of this run
 };

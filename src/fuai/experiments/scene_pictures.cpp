@@ -62,13 +62,14 @@ void add_hands(std::span<const GraspReading> hands, double size, ClothPicture& p
 
 }  // namespace
 
-ClothPicture paper_drape_picture(SurfaceMesh mesh, const std::string& caption, double aspect) {
+ClothPicture paper_drape_picture(SurfaceMesh mesh, const std::string& caption, double aspect,
+                                 DrapeSupport support) {
   ClothPicture picture;
   Bounds bounds;
   for (const Vec3& p : mesh.positions) bounds.include(p);
   // The block of 5 x 5 fixed particles lies on the table's corner; the top is a cloth's thickness lower.
   BoxItem table;
-  table.low = Vec3(-0.03, -0.03, -0.22);
+  table.low = Vec3(-0.03, -0.03, support == DrapeSupport::kTable ? -0.22 : -0.015);
   table.high = Vec3(0.04, 0.04, -0.0015);
   picture.boxes.push_back(table);
   bounds = Bounds();  // the same frame for every fabric: the corner, and cloth up to its own length below
@@ -93,7 +94,12 @@ ClothPicture paper_bending_picture(SurfaceMesh mesh, std::vector<ArrowItem> arro
     bounds.include(arrow.origin);
     bounds.include(arrow.origin + arrow.vector);
   }
-  picture.ground.height = bounds.low.z() - 0.03;
+  // What clamps the first two columns.
+  BoxItem clamp;
+  clamp.low = Vec3(-0.01, -0.01, -0.0165);
+  clamp.high = Vec3(0.01, 0.09, -0.0015);
+  picture.boxes.push_back(clamp);
+  picture.ground.height = std::min(bounds.low.z() - 0.03, clamp.low.z());
   picture.camera = frame_camera(bounds, -60.0 * kRadPerDegree, 20.0 * kRadPerDegree, aspect);
   picture.caption = caption;
   ClothItem cloth;

@@ -13,11 +13,18 @@
 
 namespace fuai {
 
-/// The corner drape seen from beyond its free corner, with the table it hangs from.
-/// @param aspect width over height of the picture
-ClothPicture paper_drape_picture(SurfaceMesh mesh, const std::string& caption, double aspect);
+/// What the block of the corner drape lies on; it is drawn only, nothing keeps the cloth out of it.
+enum class DrapeSupport {
+  kTable,  ///< down to the ground, as in the paper
+  kBoard,  ///< so thin that it hides no cloth that hangs where a table would stand
+};
 
-/// The bent strip seen from its side, with force arrows [m].
+/// The corner drape seen from beyond its free corner, with what it hangs from.
+/// @param aspect width over height of the picture
+ClothPicture paper_drape_picture(SurfaceMesh mesh, const std::string& caption, double aspect,
+                                 DrapeSupport support = DrapeSupport::kTable);
+
+/// The bent strip seen from its side, with what clamps it and force arrows [m].
 ClothPicture paper_bending_picture(SurfaceMesh mesh, std::vector<ArrowItem> arrows,
                                    const std::string& caption, double aspect);
 

@@ -159,11 +159,11 @@ void draw_triad(const Sheet& sheet, const ClothPicture& picture) {
     cairo_fill(cairo);
     TextStyle style = sheet.plain;
     style.colour = ink(sheet, ray.colour);
-    // A label beyond the tip; one that would lie on another goes a line lower.
+    // A label beyond the tip; one that would lie on another goes a line on, up or down as its arrow points.
     Vec2 place = tip + 0.35 * size * ahead;
     for (const Vec2& other : places) {
       if (std::abs(place.x() - other.x()) < 3.0 * size && std::abs(place.y() - other.y()) < 1.2 * size)
-        place.y() = other.y() + 1.3 * size;
+        place.y() = other.y() + (ahead.y() < -0.7 ? -1.3 : 1.3) * size;
     }
     places.push_back(place);
     draw_text(cairo, ray.label, place.x(), place.y(), {0.5 - 0.5 * ahead.x(), 0.5 - 0.5 * ahead.y()}, style);

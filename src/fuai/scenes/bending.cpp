@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "fuai/scenes/engine_scenes.h"
+#include "fuai/scenes/lift_motion.h"
 #include "fuai/scenes/scene_sheet.h"
 
 namespace fuai {
@@ -10,25 +11,6 @@ namespace {
 
 constexpr double kLift = 0.04, kLiftOfLength = 0.15;  // 4 cm for a free length of 15 cm [m]
 constexpr double kUp = 1.0, kBack = 2.0;              // [s]
-
-class LiftTip : public SceneMotion {
- public:
-  LiftTip(const Vec3& start, double length) : start_(start), length_(length) {}
-  HandMoment hand(std::size_t, double time) const noexcept override {
-    const double lift =
-        kLift * length_ / kLiftOfLength * (smooth_rise(time, 0.0, kUp) - smooth_rise(time, kUp, kBack));
-    HandMoment moment;
-    moment.holds = true;
-    // The tip of a cantilever that keeps its length comes back by the integral of w'^2 / 2 = 3/5 lift^2 /
-    // length.
-    moment.position = start_ + Vec3(0.0, -0.6 * lift * lift / length_, lift);
-    return moment;
-  }
-
- private:
-  Vec3 start_;
-  double length_;
-};
 
 }  // namespace
 
@@ -43,7 +25,13 @@ EngineScene make_bending(const FabricLaws& laws, const SceneOptions& options) {
   GraspSpec finger;
   finger.centre = Vec2(0.5 * side, side);
   scene.hands.push_back(finger);
-  scene.motion = std::make_unique<LiftTip>(start_position(scene, finger.centre), side - o.spacing);
+  LiftPath path;
+  path.start = start_position(scene, finger.centre);
+  path.cantilever = side - o.spacing;
+  path.height = kLift * path.cantilever / kLiftOfLength;
+  path.ends = path.back_begins = kUp;
+  path.back_ends = kBack;
+  scene.motion = make_lift_motion(path);
   scene.seconds = 1.0;  // at the highest point
   scene.view.azimuth = -25.0 * std::numbers::pi / 180.0;
   scene.view.elevation = 18.0 * std::numbers::pi / 180.0;

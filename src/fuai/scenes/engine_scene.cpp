@@ -3,13 +3,33 @@
 #include "fuai/scenes/engine_scene.h"
 
 #include <algorithm>
+#include <string>
+#include <utility>
+
+#include "fuai/core/error.h"
 
 namespace fuai {
+namespace {
+
+std::unique_ptr<ClothSimulation> simulate(const EngineScene& scene, SolverKind kind, int inner_steps) {
+  const SolverEntry& solver = solver_entry(kind);
+  if (scene.about_speed && !solver.has_time) {
+    throw Error(
+        ErrorKind::kUsage,
+        "'" + scene.name + "' is about speed, and the solver '" + std::string(solver.name) + "' has no time",
+        {"", 0, 0, "solver"}, "take another scene or another solver");
+  }
+  return std::make_unique<ClothSimulation>(scene.model, scene.material,
+                                           ClothSolverOptions{kind, scene.options.implicit, inner_steps},
+                                           scene.options.most_grasps);
+}
+
+}  // namespace
 
 Vec3 SceneMotion::fixed_move(const Vec3& /*start*/, double /*time*/) const noexcept { return Vec3::Zero(); }
 
-template <class T>
-StepReport drive(Simulation<T>& simulation, const EngineScene& scene, SceneHolds& holds, double dt) noexcept {
+StepReport drive(ClothSimulation& simulation, const EngineScene& scene, SceneHolds& holds,
+                 double dt) noexcept {
   if (!scene.motion) return simulation.step(dt);
   const double now = simulation.time(), then = now + dt;
   // Hands: let go, grip where the hand was at the start of the tick, carry.
@@ -37,42 +57,35 @@ StepReport drive(Simulation<T>& simulation, const EngineScene& scene, SceneHolds
   return simulation.step(dt);
 }
 
-template <class T>
-SceneRunner<T>::SceneRunner(const EngineScene& scene)
-    : scene_(&scene), simulation_(scene.model, scene.material, scene.options) {
-  simulation_.restore(scene.start);
+SceneRun::SceneRun(const EngineScene& scene, std::unique_ptr<ClothSimulation> simulation)
+    : scene_(&scene), simulation_(std::move(simulation)) {
+  simulation_->restore(scene.start);
 }
 
-template <class T>
-GraspReading SceneRunner<T>::hand_reading(std::size_t hand) const noexcept {
-  return hand < kMostHands ? simulation_.grasp_reading(holds_.holds[hand]) : GraspReading{};
+SceneRun::SceneRun(const EngineScene& scene, SolverKind kind, int inner_steps)
+    : SceneRun(scene, simulate(scene, kind, inner_steps)) {}
+
+GraspReading SceneRun::hand_reading(std::size_t hand) const noexcept {
+  return hand < kMostHands ? simulation_->grasp_reading(holds_.holds[hand]) : GraspReading{};
 }
 
-template <class T>
-HandMoment SceneRunner<T>::hand(std::size_t hand) const noexcept {
+HandMoment SceneRun::hand(std::size_t hand) const noexcept {
   if (!scene_->motion || hand >= scene_->hands.size()) return {};
-  return scene_->motion->hand(hand, simulation_.time());
+  return scene_->motion->hand(hand, simulation_->time());
 }
 
-template <class T>
-void SceneRunner<T>::snapshot(SceneSnapshot& snapshot) const {
-  simulation_.snapshot(snapshot.cloth);
+void SceneRun::snapshot(SceneSnapshot& snapshot) const {
+  simulation_->snapshot(snapshot.cloth);
   for (std::size_t i = 0; i < kMostHands; ++i) {
-    const Grasp* grasp = simulation_.held(holds_.holds[i]);
+    const Grasp* grasp = simulation_->held(holds_.holds[i]);
     snapshot.grasps[i] = grasp ? std::optional<Grasp>(*grasp) : std::nullopt;
   }
 }
 
-template <class T>
-void SceneRunner<T>::restore(const SceneSnapshot& snapshot) {
-  simulation_.restore(snapshot.cloth);
+void SceneRun::restore(const SceneSnapshot& snapshot) {
+  simulation_->restore(snapshot.cloth);
   for (std::size_t i = 0; i < kMostHands; ++i)
-    holds_.holds[i] = snapshot.grasps[i] ? simulation_.take_over(*snapshot.grasps[i]) : -1;
+    holds_.holds[i] = snapshot.grasps[i] ? simulation_->take_over(*snapshot.grasps[i]) : -1;
 }
-
-template StepReport drive(Simulation<float>&, const EngineScene&, SceneHolds&, double) noexcept;
-template StepReport drive(Simulation<double>&, const EngineScene&, SceneHolds&, double) noexcept;
-template class SceneRunner<float>;
-template class SceneRunner<double>;
 
 }  // namespace fuai

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 //   make_*() in engine_scenes.h or make_engine_scene() by name -> EngineScene, constant
-//   SceneRunner<T>(scene) -> step(dt) -> hand_reading() ; snapshot(), restore()
+//   SceneRun(scene, solver) or, for the implicit solver of T, SceneRunner<T>(scene)
+//     -> step(dt) -> hand_reading() ; snapshot(), restore()
 //   who has a Simulation of his own calls drive() with a SceneHolds
 //
 //   A tick from t to t + dt: hands that begin to hold by t + dt grip the cloth as it is at t; hands and pins
@@ -74,7 +75,12 @@ struct EngineScene {
   std::vector<GraspSpec> hands;               ///< how each hand grips; at most kMostHands
   std::unique_ptr<const SceneMotion> motion;  ///< none: nothing moves, and there are no hands
   double seconds = 0.0;                       ///< how long there is something to see [s]
+  double picture_time = 0.0;                  ///< when a picture shows what it is about [s]; 0: at the end
+  bool about_speed = false;                   ///< a solver without time has nothing to say about it
   SceneView view;
+
+  /// When to take a picture [s]. Thread class: any.
+  double shown_at() const noexcept { return picture_time > 0.0 ? picture_time : seconds; }
 };
 
 /// Which holds of a simulation the hands of a scene have.
@@ -85,8 +91,8 @@ struct SceneHolds {
 
 /// One tick: hands and pins to where they are at time() + dt, then a step.
 /// @param simulation of the scene's model; @param dt [s], > 0. Thread class: real-time.
-template <class T>
-StepReport drive(Simulation<T>& simulation, const EngineScene& scene, SceneHolds& holds, double dt) noexcept;
+StepReport drive(ClothSimulation& simulation, const EngineScene& scene, SceneHolds& holds,
+                 double dt) noexcept;
 
 /// A run, frozen: restore() of it continues bit for bit.
 struct SceneSnapshot {
@@ -94,16 +100,18 @@ struct SceneSnapshot {
   std::array<std::optional<Grasp>, kMostHands> grasps;  ///< by hand; none: it does not hold
 };
 
-/// A scene in time. The scene must outlive it. One thread calls all of it.
-template <class T>
-class SceneRunner {
+/// A scene in time, by whichever solver. The scene must outlive it. One thread calls all of it.
+class SceneRun {
  public:
-  /// Allocates, and puts the cloth where the scene starts. @throws Error (kUsage) as Simulation does.
-  /// Thread class: set-up.
-  explicit SceneRunner(const EngineScene& scene);
+  /// Allocates, and puts the cloth where the scene starts; of the scene's options it takes all but the
+  /// solver.
+  /// @param inner_steps as in ClothSolverOptions
+  /// @throws Error as ClothSimulation does, and (kUsage) for a scene that the solver has nothing to say
+  /// about. Thread class: set-up.
+  explicit SceneRun(const EngineScene& scene, SolverKind kind = SolverKind::kImplicit, int inner_steps = 0);
 
   /// One tick, see drive(). Thread class: real-time.
-  StepReport step(double dt) noexcept { return drive(simulation_, *scene_, holds_, dt); }
+  StepReport step(double dt) noexcept { return drive(*simulation_, *scene_, holds_, dt); }
   /// What a hand feels after the last step; a reading that does not hold when there is no such hand.
   /// Thread class: real-time.
   GraspReading hand_reading(std::size_t hand) const noexcept;
@@ -113,18 +121,30 @@ class SceneRunner {
   void snapshot(SceneSnapshot& snapshot) const;  ///< Thread class: set-up.
   void restore(const SceneSnapshot& snapshot);   ///< Thread class: set-up.
   const EngineScene& scene() const noexcept { return *scene_; }
-  Simulation<T>& simulation() noexcept { return simulation_; }
-  const Simulation<T>& simulation() const noexcept { return simulation_; }
+  ClothSimulation& simulation() noexcept { return *simulation_; }
+  const ClothSimulation& simulation() const noexcept { return *simulation_; }
+
+ protected:
+  SceneRun(const EngineScene& scene, std::unique_ptr<ClothSimulation> simulation);
 
  private:
   const EngineScene* scene_;
-  Simulation<T> simulation_;
+  std::unique_ptr<ClothSimulation> simulation_;
   SceneHolds holds_;
 };
 
-extern template StepReport drive(Simulation<float>&, const EngineScene&, SceneHolds&, double) noexcept;
-extern template StepReport drive(Simulation<double>&, const EngineScene&, SceneHolds&, double) noexcept;
-extern template class SceneRunner<float>;
-extern template class SceneRunner<double>;
+/// The same by the implicit solver of T, float or double.
+template <class T>
+class SceneRunner : public SceneRun {
+ public:
+  /// @throws Error (kUsage) as Simulation does. Thread class: set-up.
+  explicit SceneRunner(const EngineScene& scene)
+      : SceneRun(scene, std::make_unique<Simulation<T>>(scene.model, scene.material, scene.options)) {}
+
+  Simulation<T>& simulation() noexcept { return static_cast<Simulation<T>&>(SceneRun::simulation()); }
+  const Simulation<T>& simulation() const noexcept {
+    return static_cast<const Simulation<T>&>(SceneRun::simulation());
+  }
+};
 
 }  // namespace fuai

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "fuai/scenes/engine_scenes.h"
+#include "fuai/scenes/lift_motion.h"
 #include "fuai/scenes/scene_sheet.h"
 
 namespace fuai {
@@ -10,22 +11,6 @@ namespace {
 
 constexpr double kLift = 0.15, kLiftOfSheet = 0.32;                  // 15 cm for a sheet of 32 cm [m]
 constexpr double kLiftBegins = 0.5, kLiftEnds = 1.5, kLetsGo = 2.5;  // [s]
-
-class LiftAndLetGo : public SceneMotion {
- public:
-  LiftAndLetGo(const Vec3& start, double lift) : start_(start), lift_(lift) {}
-  HandMoment hand(std::size_t, double time) const noexcept override {
-    HandMoment moment;
-    moment.holds = time < kLetsGo;
-    // Toward the held edge as it rises, as an arm does, so that the cloth is lifted rather than pulled.
-    moment.position = start_ + lift_ * smooth_rise(time, kLiftBegins, kLiftEnds) * Vec3(0.0, 0.5, 1.0);
-    return moment;
-  }
-
- private:
-  Vec3 start_;
-  double lift_;
-};
 
 }  // namespace
 
@@ -38,9 +23,17 @@ EngineScene make_grasp_and_lift(const FabricLaws& laws, const SceneOptions& opti
   GraspSpec hand;
   hand.centre = Vec2(0.9 * side, 0.1 * side);
   scene.hands.push_back(hand);
-  scene.motion =
-      std::make_unique<LiftAndLetGo>(start_position(scene, hand.centre), kLift * side / kLiftOfSheet);
+  LiftPath path;
+  path.start = start_position(scene, hand.centre);
+  path.height = kLift * side / kLiftOfSheet;
+  // Toward the held edge as it rises, as an arm does, so that the cloth is lifted rather than pulled.
+  path.direction = Vec3(0.0, 0.5, 1.0);
+  path.begins = kLiftBegins;
+  path.ends = kLiftEnds;
+  path.lets_go = kLetsGo;
+  scene.motion = make_lift_motion(path);
   scene.seconds = 4.0;
+  scene.picture_time = 0.5 * (kLiftEnds + kLetsGo);  // while it is held up
   scene.view.azimuth = -105.0 * std::numbers::pi / 180.0;
   scene.view.elevation = 20.0 * std::numbers::pi / 180.0;
   scene.view.low = Vec3(0.0, 0.3 * side, -0.95 * side);

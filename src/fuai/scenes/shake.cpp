@@ -51,6 +51,7 @@ class ZigZag : public SceneMotion {
 EngineScene make_shake(const FabricLaws& laws, const SceneOptions& options) {
   EngineScene scene = make_clamped_sheet("shake", laws, options);
   scene.motion = std::make_unique<ZigZag>(start_position(scene, scene.hands.front().centre));
+  scene.about_speed = true;
   scene.seconds = 2.0;
   scene.view.low -= Vec3(0.0, 0.0, 0.1 * kBox);
   scene.view.high += Vec3(0.3 * kBox, 0.3 * kBox, 0.0);

@@ -29,6 +29,7 @@ class Yank : public SceneMotion {
 EngineScene make_yank(const FabricLaws& laws, const SceneOptions& options) {
   EngineScene scene = make_clamped_sheet("yank", laws, options);
   scene.motion = std::make_unique<Yank>(start_position(scene, scene.hands.front().centre));
+  scene.about_speed = true;
   scene.seconds = 0.5;
   return scene;
 }

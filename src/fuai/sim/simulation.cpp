@@ -18,31 +18,28 @@ AttachmentRoom room_for(int grasps) {
 
 }  // namespace
 
-template <class T>
-Simulation<T>::Simulation(const ClothModel& model, const ClothMaterial& material,
-                          const SimulationOptions& options)
+ClothSimulation::ClothSimulation(const ClothModel& model, const ClothMaterial& material,
+                                 const ClothSolverOptions& options, int most_grasps)
     : model_(std::make_unique<const ClothModel>(model)),
       material_(std::make_unique<const ClothMaterial>(material)),
-      solver_(*model_, *material_, options.implicit, room_for(options.most_grasps)),
-      holds_(static_cast<std::size_t>(options.most_grasps)),
-      attachments_(room_for(options.most_grasps).attachments),
-      groups_(room_for(options.most_grasps).groups) {
+      solver_(make_cloth_solver(*model_, *material_, options, room_for(most_grasps))),
+      holds_(static_cast<std::size_t>(most_grasps)),
+      attachments_(room_for(most_grasps).attachments),
+      groups_(room_for(most_grasps).groups) {
   for (int slot = 0; slot < model.slot_count(); ++slot)
     if (model.fixed[static_cast<std::size_t>(slot)] != 0) fixed_slots_.push_back(slot);
 }
 
-template <class T>
-void Simulation<T>::restore(const ClothState& state) {
+void ClothSimulation::restore(const ClothState& state) {
   for (Hold& hold : holds_) hold.active = false;
-  solver_.restore(state);
+  solver_->restore(state);
 }
 
-template <class T>
-SimulationReading Simulation<T>::read() const {
+SimulationReading ClothSimulation::read() const {
   ClothState state;
-  solver_.save(state);
+  solver_->save(state);
   SimulationReading reading;
-  reading.energy = cloth_free_energy(*model_, *material_, state, solver_.options().gravity);
+  reading.energy = solver_->energy();
   reading.kinetic_energy = cloth_kinetic_energy(*model_, state);
   reading.max_strain = max_edge_strain(*model_, state);
   for (const Vec3& v : state.velocities) reading.max_speed = std::max(reading.max_speed, v.norm());
@@ -50,40 +47,37 @@ SimulationReading Simulation<T>::read() const {
   return reading;
 }
 
-template <class T>
-int Simulation<T>::grasp(const GraspSpec& spec, const Vec3& hand) noexcept {
+int ClothSimulation::grasp(const GraspSpec& spec, const Vec3& hand) noexcept {
+  GraspSpec grip = spec;
+  if (!solver_->entry().spring_holds) grip.radius = 0.0;
   for (std::size_t i = 0; i < holds_.size(); ++i) {
     Hold& hold = holds_[i];
     if (hold.active) continue;
-    hold.active = hold.grasp.take(*model_, spec, hand, [this](int slot) { return solver_.position(slot); });
+    hold.active = hold.grasp.take(*model_, grip, hand, [this](int slot) { return solver_->position(slot); });
     hold.stepped = false;
     return hold.active ? static_cast<int>(i) : -1;
   }
   return -1;
 }
 
-template <class T>
-void Simulation<T>::move_grasp(int hold, const Vec3& hand, const Mat3& rotation) noexcept {
+void ClothSimulation::move_grasp(int hold, const Vec3& hand, const Mat3& rotation) noexcept {
   if (hold < 0 || hold >= static_cast<int>(holds_.size()) || !hand.allFinite() || !rotation.allFinite())
     return;
   holds_[static_cast<std::size_t>(hold)].grasp.move(hand, rotation);
 }
 
-template <class T>
-void Simulation<T>::release(int hold) noexcept {
+void ClothSimulation::release(int hold) noexcept {
   if (hold >= 0 && hold < static_cast<int>(holds_.size()))
     holds_[static_cast<std::size_t>(hold)].active = false;
 }
 
-template <class T>
-const Grasp* Simulation<T>::held(int hold) const noexcept {
+const Grasp* ClothSimulation::held(int hold) const noexcept {
   if (hold < 0 || hold >= static_cast<int>(holds_.size())) return nullptr;
   const Hold& h = holds_[static_cast<std::size_t>(hold)];
   return h.active ? &h.grasp : nullptr;
 }
 
-template <class T>
-int Simulation<T>::take_over(const Grasp& grasp) noexcept {
+int ClothSimulation::take_over(const Grasp& grasp) noexcept {
   for (std::size_t i = 0; i < holds_.size(); ++i) {
     Hold& hold = holds_[i];
     if (hold.active) continue;
@@ -95,29 +89,27 @@ int Simulation<T>::take_over(const Grasp& grasp) noexcept {
   return -1;
 }
 
-template <class T>
-GraspReading Simulation<T>::grasp_reading(int hold) const noexcept {
+GraspReading ClothSimulation::grasp_reading(int hold) const noexcept {
   GraspReading reading;
   if (hold < 0 || hold >= static_cast<int>(holds_.size())) return reading;
   const Hold& h = holds_[static_cast<std::size_t>(hold)];
   reading.holds = h.active;
   if (!h.active) return reading;
   for (std::size_t i = 0; i < h.grasp.size(); ++i)
-    reading.centre += h.grasp.weight(i) * solver_.position(h.grasp.slot(i));
+    reading.centre += h.grasp.weight(i) * solver_->position(h.grasp.slot(i));
   if (!h.stepped) return reading;
-  const HoldForce on_cloth = solver_.hold_force(h.group);
+  const HoldForce on_cloth = solver_->hold_force(h.group);
   reading.force = -on_cloth.force;
   reading.moment = -on_cloth.moment;
   reading.saturated = on_cloth.share < 1.0;
   return reading;
 }
 
-template <class T>
-void Simulation<T>::attach_holds() noexcept {
+void ClothSimulation::attach_holds() noexcept {
   std::size_t springs = 0, groups = 0;
   for (Hold& hold : holds_) {
     if (!hold.active) continue;
-    hold.grasp.follow([this](int slot) { return solver_.position(slot); });
+    hold.grasp.follow([this](int slot) { return solver_->position(slot); });
     const GraspSpec& spec = hold.grasp.spec();
     for (std::size_t i = 0; i < hold.grasp.size(); ++i)
       attachments_[springs++] = {hold.grasp.slot(i), spec.stiffness * hold.grasp.weight(i),
@@ -126,19 +118,17 @@ void Simulation<T>::attach_holds() noexcept {
     hold.stepped = true;
     groups_[groups++] = {hold.grasp.size(), spec.most_force, hold.grasp.centre()};
   }
-  solver_.attach({attachments_.data(), springs}, {groups_.data(), groups});
+  solver_->attach({attachments_.data(), springs}, {groups_.data(), groups});
 }
 
-template <class T>
-StepReport Simulation<T>::step(double dt) noexcept {
+StepReport ClothSimulation::step(double dt) noexcept {
   attach_holds();
-  return solver_.step(dt);
+  return solver_->step(dt);
 }
 
-template <class T>
-Vec3 Simulation<T>::clamp_force() const noexcept {
+Vec3 ClothSimulation::clamp_force() const noexcept {
   Vec3 sum = Vec3::Zero();
-  for (int slot : fixed_slots_) sum += solver_.force_on_fixed(slot);
+  for (int slot : fixed_slots_) sum += solver_->force_on_fixed(slot);
   return sum;
 }
 
@@ -166,8 +156,5 @@ double max_edge_strain(const ClothModel& model, const ClothState& state) noexcep
   }
   return largest;
 }
-
-template class Simulation<float>;
-template class Simulation<double>;
 
 }  // namespace fuai

@@ -3,7 +3,8 @@
 // Source: docs/theory/engine.md, docs/theory/implicit-step.md, docs/theory/grasp.md.
 //
 //   make -> [grasp / move_grasp / place_fixed -> step -> grasp_reading]* ; snapshot() copies the state out
-//   One thread calls all of it. T is float at run time, double for checking.
+//   One thread calls all of it. ClothSimulation takes any solver; Simulation<T> is the implicit one of T,
+//   float at run time, double for checking.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,8 @@
 
 #include "fuai/sim/grasp.h"
 #include "fuai/solver/cloth_energy.h"
-#include "fuai/solver/implicit.h"
+#include "fuai/solver/cloth_solver.h"
+#include "fuai/solver/cloth_solver_implicit.h"
 
 namespace fuai {
 
@@ -41,12 +43,16 @@ struct SimulationReading {
   double total_energy() const noexcept { return energy.total() + kinetic_energy; }
 };
 
-/// The simulation.
-template <class T>
-class Simulation {
+/// The simulation, whatever its solver.
+class ClothSimulation {
  public:
-  /// Copies model and material, allocates. @throws Error (kUsage) as SolverImplicit. Thread class: set-up.
-  Simulation(const ClothModel& model, const ClothMaterial& material, const SimulationOptions& options = {});
+  /// Copies model and material, allocates. @throws Error as make_cloth_solver(), and (kUsage) for grasps out
+  /// of range. Thread class: set-up.
+  ClothSimulation(const ClothModel& model, const ClothMaterial& material, const ClothSolverOptions& options,
+                  int most_grasps = SimulationOptions{}.most_grasps);
+  ClothSimulation(ClothSimulation&&) noexcept = default;
+  ClothSimulation& operator=(ClothSimulation&&) noexcept = default;
+  virtual ~ClothSimulation() = default;
 
   const ClothModel& model() const noexcept { return *model_; }
   const ClothMaterial& material() const noexcept { return *material_; }
@@ -54,12 +60,13 @@ class Simulation {
   /// Takes over a state, lets all holds go. Thread class: set-up.
   void restore(const ClothState& state);
   /// Copies the state out. Thread class: set-up (allocates when the state is empty).
-  void snapshot(ClothState& state) const { solver_.save(state); }
+  void snapshot(ClothState& state) const { solver_->save(state); }
   /// Energies, largest strain, hash. Thread class: set-up.
   SimulationReading read() const;
 
-  /// Grips the cloth. @param hand where the hand is [m]. @return number of the hold, or -1 when there is no
-  /// cloth there or no hold left. Thread class: real-time.
+  /// Grips the cloth. A solver whose holds are rigid gets the nearest particle alone, as in the founding
+  /// paper: a patch held stiff would be another cloth. @param hand where the hand is [m]. @return number of
+  /// the hold, or -1 when there is no cloth there or no hold left. Thread class: real-time.
   int grasp(const GraspSpec& spec, const Vec3& hand) noexcept;
   /// Where the hand is at the end of the next step. @param rotation since the grip. Thread class: real-time.
   void move_grasp(int hold, const Vec3& hand, const Mat3& rotation = Mat3::Identity()) noexcept;
@@ -74,18 +81,18 @@ class Simulation {
   GraspReading grasp_reading(int hold) const noexcept;
 
   /// Where a fixed slot is at the end of the next step [m]. Thread class: real-time.
-  void place_fixed(int slot, const Vec3& position) noexcept { solver_.place(slot, position); }
+  void place_fixed(int slot, const Vec3& position) noexcept { solver_->place(slot, position); }
   /// Force of the cloth on all fixed slots after the last step [N]. Thread class: real-time.
   Vec3 clamp_force() const noexcept;
 
   /// One step. @param dt [s], > 0. Thread class: real-time.
   StepReport step(double dt) noexcept;
 
-  Vec3 position(int slot) const noexcept { return solver_.position(slot); }
-  Vec3 velocity(int slot) const noexcept { return solver_.velocity(slot); }
-  double time() const noexcept { return solver_.time(); }
-  SolverImplicit<T>& solver() noexcept { return solver_; }
-  const SolverImplicit<T>& solver() const noexcept { return solver_; }
+  Vec3 position(int slot) const noexcept { return solver_->position(slot); }
+  Vec3 velocity(int slot) const noexcept { return solver_->velocity(slot); }
+  double time() const noexcept { return solver_->time(); }
+  ClothSolver& any_solver() noexcept { return *solver_; }
+  const ClothSolver& any_solver() const noexcept { return *solver_; }
 
  private:
   struct Hold {
@@ -98,11 +105,26 @@ class Simulation {
 
   std::unique_ptr<const ClothModel> model_;
   std::unique_ptr<const ClothMaterial> material_;
-  SolverImplicit<T> solver_;
+  std::unique_ptr<ClothSolver> solver_;
   std::vector<Hold> holds_;
   std::vector<Attachment> attachments_;
   std::vector<AttachmentGroup> groups_;
   std::vector<int> fixed_slots_;
+};
+
+/// The simulation on the implicit solver of T, float or double.
+template <class T>
+class Simulation : public ClothSimulation {
+ public:
+  /// @throws Error (kUsage) as SolverImplicit, and for grasps out of range. Thread class: set-up.
+  Simulation(const ClothModel& model, const ClothMaterial& material, const SimulationOptions& options = {})
+      : ClothSimulation(model, material, {ClothSolverImplicit<T>::kKind, options.implicit, 0},
+                        options.most_grasps) {}
+
+  SolverImplicit<T>& solver() noexcept { return static_cast<ClothSolverImplicit<T>&>(any_solver()).solver(); }
+  const SolverImplicit<T>& solver() const noexcept {
+    return static_cast<const ClothSolverImplicit<T>&>(any_solver()).solver();
+  }
 };
 
 /// Hash over positions, velocities and friction memory. Thread class: any.
@@ -110,8 +132,5 @@ std::uint64_t state_hash(const ClothState& state) noexcept;
 
 /// Largest strain of a yarn edge that carries cloth [-]. Thread class: any.
 double max_edge_strain(const ClothModel& model, const ClothState& state) noexcept;
-
-extern template class Simulation<float>;
-extern template class Simulation<double>;
 
 }  // namespace fuai

@@ -58,10 +58,14 @@ ClothMaterial make_cloth_material(const FabricLaws& laws) {
   return material;
 }
 
-double tension_viscosity(const PlayLaw& tension, double viscosity_time) noexcept {
+double tension_toe(const PlayLaw& tension) noexcept {
   // A tensile table starts at zero strain, and the table's own first cell answers there: the slope from
   // above.
-  return viscosity_time * std::max(tension.elastic().evaluate(0.0).slope, 0.0);
+  return std::max(tension.elastic().evaluate(0.0).slope, 0.0);
+}
+
+double tension_viscosity(const PlayLaw& tension, double viscosity_time) noexcept {
+  return viscosity_time * tension_toe(tension);
 }
 
 double free_edge_softening(const ClothMaterial& material, const PlayLaw& other) noexcept {

@@ -37,6 +37,9 @@ ClothMaterial make_cloth_material(const FabricLaws& laws);
 /// Unchanged when the law already says what happens below zero. Thread class: set-up.
 PlayLaw with_buckling_onset(const PlayLaw& tension, double buckling_stress);
 
+/// Stiffness of a yarn direction at zero strain, without friction [N/m]. Thread class: any.
+double tension_toe(const PlayLaw& tension) noexcept;
+
 /// eta = tau F_t'(0+) [N s/m]: the slope of the elastic mean curve (without friction) at zero strain, on the
 /// stretched side; never negative. Thread class: any.
 double tension_viscosity(const PlayLaw& tension, double viscosity_time) noexcept;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuai/solver/explicit.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -116,7 +117,7 @@ Vec3 air_force(const ClothMaterial& material, double area, const Vec3& normal,
 }
 
 void SolverExplicit::prepare(const ClothModel& model, const ClothMaterial& material,
-                             const ExplicitOptions& options) {
+                             const ExplicitOptions& options, const AttachmentRoom& room) {
   if (options.substeps < 1) throw Error(ErrorKind::kUsage, "an explicit step needs at least one substep");
   fixed_slots_.clear();
   free_slots_.clear();
@@ -132,6 +133,11 @@ void SolverExplicit::prepare(const ClothModel& model, const ClothMaterial& mater
   options_ = options;
   const std::size_t slots = at(model.slot_count());
   forces_.assign(slots, Vec3::Zero());
+  pulls_.assign(slots, Vec3::Zero());
+  springs_.assign(room.attachments, {});
+  groups_.assign(room.groups, {});
+  hold_forces_.assign(room.groups, {});
+  spring_count_ = group_count_ = 0;
   before_.positions.assign(slots, Vec3::Zero());
   before_.velocities.assign(slots, Vec3::Zero());
   for (auto* memory : {&before_.weft_bending, &before_.warp_bending, &before_.shear, &before_.weft_tension,
@@ -152,16 +158,27 @@ std::uint32_t SolverExplicit::step(ClothState& state, double dt,
     state.velocities[slot] =
         fixed_positions.empty() ? Vec3::Zero() : Vec3((fixed_positions[i] - before_.positions[slot]) / dt);
   }
+  for (std::size_t i = 0; i < spring_count_; ++i)
+    if (springs_[i].fresh) springs_[i].from = state.positions[at(springs_[i].end.slot)];
   const double ds = dt / options_.substeps;
+  const auto part = [&](int substep) { return static_cast<double>(substep) / options_.substeps; };
   for (int i = 1; i <= options_.substeps; ++i) {
     take_forces(state);
+    take_holds(state, part(i - 1));
     move_free(state, ds);
-    move_fixed(state, fixed_positions, static_cast<double>(i) / options_.substeps);
+    move_fixed(state, fixed_positions, part(i));
   }
   take_forces(state);
-  if (!is_finite(state)) {
+  take_holds(state, 1.0);
+  const bool finite = is_finite(state);
+  for (std::size_t i = 0; i < spring_count_; ++i) {
+    springs_[i].from = springs_[i].end.target;
+    springs_[i].fresh = !finite;
+  }
+  if (!finite) {
     state = before_;
     std::fill(forces_.begin(), forces_.end(), Vec3::Zero());
+    std::fill(hold_forces_.begin(), hold_forces_.end(), HoldForce{});
     ++failed_steps_;
     return kExplicitNotFinite;
   }
@@ -184,7 +201,7 @@ void SolverExplicit::move_free(ClothState& state, double ds) const noexcept {
   for (int free : free_slots_) {
     const std::size_t slot = at(free);
     const double area = model_->node_area[slot];
-    Vec3 force = forces_[slot];
+    Vec3 force = forces_[slot] + pulls_[slot];
     Vec3& v = state.velocities[slot];
     if (in_air) {
       const Vec3 normal = measure_bend(*model_, state.positions, slot).normal;
@@ -203,6 +220,84 @@ void SolverExplicit::move_fixed(ClothState& state, std::span<const Vec3> targets
     // (1 - f) a + f b ends on b exactly.
     state.positions[at(fixed_slots_[i])] = (1.0 - fraction) * start + fraction * targets[i];
   }
+}
+
+void SolverExplicit::attach(std::span<const Attachment> attachments,
+                            std::span<const AttachmentGroup> groups) noexcept {
+  for (std::size_t i = 0; i < spring_count_; ++i) pulls_[at(springs_[i].end.slot)].setZero();
+  std::size_t used = 0, taken = 0;
+  for (const AttachmentGroup& group : groups) {
+    if (taken == groups_.size() || used + group.count > std::min(springs_.size(), attachments.size())) break;
+    for (std::size_t end = used + group.count; used < end; ++used) {
+      Spring& spring = springs_[used];
+      // The same slot in the same place of the list: the hold of the last step, carried on.
+      const bool carried = used < spring_count_ && spring.end.slot == attachments[used].slot;
+      spring.fresh = !carried || spring.fresh;
+      spring.end = attachments[used];
+    }
+    hold_forces_[taken] = {};
+    groups_[taken++] = group;
+  }
+  spring_count_ = used;
+  group_count_ = taken;
+}
+
+std::vector<double> SolverExplicit::holds() const {
+  std::vector<double> carried;
+  for (std::size_t i = 0; i < spring_count_ && !springs_[i].fresh; ++i) {
+    const Vec3& from = springs_[i].from;
+    carried.insert(carried.end(), {static_cast<double>(springs_[i].end.slot), from.x(), from.y(), from.z()});
+  }
+  return carried;
+}
+
+void SolverExplicit::restore_holds(std::span<const double> carried) noexcept {
+  attach({}, {});
+  if (carried.size() % 4 != 0 || carried.size() / 4 > springs_.size()) return;
+  for (std::size_t i = 0; i < carried.size(); i += 4) {
+    const double slot = carried[i];
+    if (!(slot >= 0.0 && slot < model_->slot_count())) break;
+    Attachment end;  // without stiffness until attach() finds the slot again
+    end.slot = static_cast<int>(slot);
+    springs_[spring_count_++] = {end, Vec3(carried[i + 1], carried[i + 2], carried[i + 3]), false};
+  }
+}
+
+// f_i = s k_i (target - x_i), s = min(1, most / |sum k_i (target - x_i)|): docs/theory/grasp.md, written a
+// second time as everything here.
+void SolverExplicit::take_holds(const ClothState& state, double fraction) noexcept {
+  for (std::size_t i = 0; i < spring_count_; ++i) pulls_[at(springs_[i].end.slot)].setZero();
+  std::size_t first = 0;
+  for (std::size_t g = 0; g < group_count_; first += groups_[g].count, ++g) {
+    const std::span<const Spring> springs(springs_.data() + first, groups_[g].count);
+    const auto pull = [&](const Spring& s) -> Vec3 {
+      const Vec3 target = (1.0 - fraction) * s.from + fraction * s.end.target;
+      return s.end.stiffness * (target - state.positions[at(s.end.slot)]);
+    };
+    Vec3 sum = Vec3::Zero();
+    for (const Spring& s : springs) sum += pull(s);
+    HoldForce hold;
+    hold.share = sum.norm() > groups_[g].most_force ? groups_[g].most_force / sum.norm() : 1.0;
+    for (const Spring& s : springs) {
+      const Vec3 force = hold.share * pull(s);
+      pulls_[at(s.end.slot)] += force;
+      hold.force += force;
+      hold.moment += (state.positions[at(s.end.slot)] - groups_[g].origin).cross(force);
+    }
+    hold_forces_[g] = hold;
+  }
+}
+
+int SolverExplicit::safe_substeps(double dt, double margin) const noexcept {
+  double w2 = 0.0;  // of the stiffest spring on its slot
+  for (std::size_t i = 0; i < spring_count_; ++i) {
+    const Attachment& a = springs_[i].end;
+    w2 = std::max(w2, a.stiffness / (model_->areal_mass * model_->node_area[at(a.slot)]));
+  }
+  // A spring adds its w2 to the row of its slot; the slope of 1 / ds^2 over w2 is at most 1/2.
+  const double inverse = std::sqrt(1.0 / (stable_substep_ * stable_substep_) + 0.5 * w2);
+  const double count = std::ceil(dt / margin * inverse);
+  return static_cast<int>(std::clamp(count, 1.0, 1e9));
 }
 
 Vec3 SolverExplicit::reaction() const noexcept {

@@ -4,7 +4,7 @@
 //   each substep ds = dt / substeps:
 //     1. forces at x, v; the friction memory moves to x      (cloth_energy.h, and viscosity from v)
 //     2. v += ds (F / m + g - c v + F_air / m),  x += ds v   of free slots
-//     3. fixed slots go straight from where they are to where they are told, with that velocity
+//     3. fixed slots and the targets of holds go straight from where they are to where they are told
 //   after the last one the forces are taken once more, so that internal_forces() belongs to the end of the
 //   step
 //
@@ -19,6 +19,7 @@
 #include "fuai/cloth/cloth_model.h"
 #include "fuai/core/constants.h"
 #include "fuai/solver/cloth_material.h"
+#include "fuai/solver/implicit.h"  // what a hold is: Attachment, AttachmentGroup, HoldForce
 
 namespace fuai {
 
@@ -39,9 +40,11 @@ enum ExplicitStatus : std::uint32_t {
 class SolverExplicit {
  public:
   /// Model and material are not copied: they must outlive the solver.
+  /// @param room most attachments and groups at a time
   /// @throws Error (kUsage) when substeps < 1; (kBadInput) when a free live slot carries no cloth.
   /// Thread class: set-up.
-  void prepare(const ClothModel& model, const ClothMaterial& material, const ExplicitOptions& options = {});
+  void prepare(const ClothModel& model, const ClothMaterial& material, const ExplicitOptions& options = {},
+               const AttachmentRoom& room = {});
 
   /// Gravity of the next steps [m/s2], for a load that grows. Thread class: real-time.
   void set_gravity(const Vec3& gravity) noexcept { options_.gravity = gravity; }
@@ -53,6 +56,25 @@ class SolverExplicit {
   /// @return ExplicitStatus bits; 0 is good. Thread class: real-time.
   std::uint32_t step(ClothState& state, double dt, std::span<const Vec3> fixed_positions = {}) noexcept;
 
+  /// Springs of the next steps, group after group, with the targets at the end of the next step; what does
+  /// not fit is left out. During a step targets go straight from where they were at the end of the last one;
+  /// those of a new hold from where its slots are. Thread class: real-time.
+  void attach(std::span<const Attachment> attachments, std::span<const AttachmentGroup> groups) noexcept;
+  /// What a group of attachments put on the cloth at the end of the last step; zero after a refused step.
+  /// Thread class: real-time.
+  HoldForce hold_force(std::size_t group) const noexcept { return hold_forces_[group]; }
+  /// Slots and targets of the holds as a state carries them (ClothState::carried), so that a run that is
+  /// restored goes on bit for bit. Thread class: set-up.
+  std::vector<double> holds() const;
+  /// Takes them over; anything that is not from holds() lets all go. Thread class: set-up.
+  void restore_holds(std::span<const double> carried) noexcept;
+  /// Substeps of the next steps, > 0. Thread class: real-time.
+  void set_substeps(int substeps) noexcept { options_.substeps = substeps; }
+  /// Substeps that keep each of them below `margin` of the bound, holds included.
+  /// @param dt [s], > 0  @param margin in (0, 1]. Thread class: real-time.
+  int safe_substeps(double dt, double margin) const noexcept;
+  const ExplicitOptions& options() const noexcept { return options_; }
+
   /// Elastic, frictional and viscous force of the cloth on each slot at the end of the last step [N] (slots),
   /// without weight, drag and air; zero after a refused step. Over fixed slots it sums to the force on what
   /// holds them.
@@ -61,13 +83,20 @@ class SolverExplicit {
   Vec3 reaction() const noexcept;
   /// Slots whose positions are prescribed, rising.
   std::span<const int> fixed_slots() const noexcept { return fixed_slots_; }
-  /// Longest substep that is stable about the flat cloth [s].
+  /// Longest substep that is stable about the flat cloth, without holds [s].
   double stable_substep() const noexcept { return stable_substep_; }
   /// Steps refused since prepare().
   std::uint64_t failed_steps() const noexcept { return failed_steps_; }
 
  private:
+  /// A spring of a hold, and where its target was at the end of the last step.
+  struct Spring {
+    Attachment end;
+    Vec3 from = Vec3::Zero();  // [m]
+    bool fresh = true;         // `from` is not known yet
+  };
   void take_forces(ClothState& state) noexcept;
+  void take_holds(const ClothState& state, double fraction) noexcept;
   void move_free(ClothState& state, double ds) const noexcept;
   void move_fixed(ClothState& state, std::span<const Vec3> targets, double fraction) const noexcept;
 
@@ -76,6 +105,11 @@ class SolverExplicit {
   ExplicitOptions options_;
   std::vector<int> fixed_slots_, free_slots_;
   std::vector<Vec3> forces_;
+  std::vector<Spring> springs_;
+  std::vector<AttachmentGroup> groups_;
+  std::vector<HoldForce> hold_forces_;
+  std::vector<Vec3> pulls_;  // of the holds on each slot [N]
+  std::size_t spring_count_ = 0, group_count_ = 0;
   ClothState before_;  // the last good state
   double stable_substep_ = 0.0;
   std::uint64_t failed_steps_ = 0;

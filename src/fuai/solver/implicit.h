@@ -16,7 +16,9 @@
 #include "fuai/core/constants.h"
 #include "fuai/core/team.h"
 #include "fuai/solver/cloth_material.h"
+#include "fuai/solver/implicit_holds.h"
 #include "fuai/solver/implicit_kernels.h"
+#include "fuai/solver/implicit_runner.h"
 #include "fuai/solver/implicit_storage.h"
 
 namespace fuai {
@@ -42,32 +44,6 @@ struct ImplicitOptions {
   bool guards = true;                            ///< line searches that keep under-converged steps safe
   Vec3 gravity = {0.0, 0.0, -kStandardGravity};  ///< [m/s2]
   Vec3 wind = Vec3::Zero();                      ///< velocity of the air [m/s]
-};
-
-/// A node tied to a point by a spring that is solved for with the cloth.
-struct Attachment {
-  int slot = 0;
-  double stiffness = 0.0;      ///< [N/m]
-  Vec3 target = Vec3::Zero();  ///< [m]
-};
-
-/// Memory to be set aside for attachments.
-struct AttachmentRoom {
-  std::size_t attachments = 0, groups = 0;
-};
-
-/// Consecutive attachments that share a hold: their forces together never exceed `most_force`.
-struct AttachmentGroup {
-  std::size_t count = 0;       ///< attachments that belong to it
-  double most_force = 0.0;     ///< [N]; beyond it the springs weaken together
-  Vec3 origin = Vec3::Zero();  ///< point that the moment is taken about [m]
-};
-
-/// What a group put on the cloth in the last step.
-struct HoldForce {
-  Vec3 force = Vec3::Zero();   ///< [N]
-  Vec3 moment = Vec3::Zero();  ///< about the group's origin [N m]
-  double share = 1.0;          ///< of the spring stiffness that was left after saturation
 };
 
 /// What a step did.
@@ -101,8 +77,11 @@ class SolverImplicit {
   /// Where a fixed slot is at the end of the next step. Thread class: real-time.
   void place(int slot, const Vec3& position) noexcept;
   /// Springs of the next steps, group after group; what does not fit is left out. Thread class: real-time.
-  void attach(std::span<const Attachment> attachments, std::span<const AttachmentGroup> groups) noexcept;
-  /// One step. Thread class: real-time. @param dt [s], > 0
+  void attach(std::span<const Attachment> attachments, std::span<const AttachmentGroup> groups) noexcept {
+    holds_.attach(attachments, groups);
+  }
+  /// One step. Thread class: real-time. @param dt [s]; one that is not positive and finite does nothing and
+  /// reports kNotFinite
   StepReport step(double dt) noexcept;
 
   /// One step of descent to equilibrium: a linearisation about x, damped as a step dt from rest would be, no
@@ -125,50 +104,19 @@ class SolverImplicit {
   /// Force of the cloth on a fixed slot after the last step, its weight included [N]: what the clamp carries.
   Vec3 force_on_fixed(int slot) const noexcept;
   /// What a group of attachments put on the cloth in the last step; the hand feels the opposite.
-  HoldForce hold_force(std::size_t group) const noexcept { return holds_[group]; }
+  HoldForce hold_force(std::size_t group) const noexcept { return holds_.force(group); }
   double time() const noexcept { return time_; }
   const ImplicitOptions& options() const noexcept { return options_; }
-  void set_options(const ImplicitOptions& options) noexcept { options_ = options; }
+  /// @throws Error (kUsage) for options out of range. Thread class: set-up.
+  void set_options(const ImplicitOptions& options);
   /// Shares the rows of every kernel out to a team; the bits stay the same. Null: one thread. The team must
   /// outlive the steps. Thread class: set-up.
-  void set_team(Team* team);
+  void set_team(Team* team) { run_.set_team(team); }
   /// Bytes of all arrays that belong to nodes.
   std::size_t bytes() const noexcept;
   const char* target() const noexcept { return kernels_->target; }
 
  private:
-  std::ptrdiff_t at(int slot) const noexcept { return grid_.at(slot / columns_) + slot % columns_; }
-  void begin_step(double dt) noexcept;
-  void evaluate(Evaluation what) noexcept;
-  void add_attachments(bool linearise) noexcept;
-  void start(double dt, StepReport& report) noexcept;
-  double solve(StepReport& report) noexcept;
-  void search_back(double slope, StepReport& report) noexcept;
-  void give_up() noexcept;
-  double longest_square() const noexcept;
-  template <class Kernel, class... Arguments>
-  double rows(Kernel kernel, const Arguments&... arguments) noexcept;
-  template <class Kernel, class... Arguments>
-  double vectors(Kernel kernel, const Arguments&... arguments) noexcept;
-  template <class Kernel>
-  void lines(Kernel warp, Kernel weft) noexcept;
-  template <class Work>
-  void with_scratch(const Work& work) noexcept;
-  double sum_rows() const noexcept;
-
-  const ImplicitKernels<T>* kernels_ = nullptr;
-  std::unique_ptr<ImplicitStorage<T>> storage_;
-  ImplicitGrid<T> grid_;
-  ImplicitConstants<T> constants_;
-  ImplicitStepConstants<T> step_;
-  ImplicitOptions options_;
-  Team* team_ = nullptr;
-  std::vector<T> scratch_;  // one set a member
-  std::vector<Attachment> attachments_;
-  std::vector<AttachmentGroup> groups_;
-  std::vector<HoldForce> holds_;
-  std::size_t group_count_ = 0;
-  int columns_ = 0;
   /// What the potential did along v at the end of the last step: guard A then need not evaluate it there.
   struct Fall {
     bool known = false;
@@ -176,11 +124,36 @@ class SolverImplicit {
     double kinetic = 0.0;       // m v.v [J]
     double weight_power = 0.0;  // m g.v [W]
   };
+  /// The first guess of a step: how fast the potential falls along v at xn and at the guess [W].
+  struct Guess {
+    double fall_at_start = 0.0, fall_at_end = 0.0;
+    double rise(double dt) const noexcept { return -0.5 * dt * (fall_at_start + fall_at_end); }  ///< [J]
+  };
+  /// What a solve did: how far along d it went and by how much the potential fell [J], trapezoid rule.
+  struct Descent {
+    double length = 1.0, fall = 0.0;
+  };
+  void begin_step(double dt) noexcept;
+  void evaluate(Evaluation what) noexcept;
+  Guess start(double dt, StepReport& report) noexcept;
+  bool start_back(double dt, Guess guess, const Descent& descent, StepReport& report) noexcept;
+  double solve(StepReport& report) noexcept;
+  Descent move_along(double slope, StepReport& report) noexcept;
   void finish_step(double dt) noexcept;
+  void stand_still() noexcept;
+  void give_up() noexcept;
+  double longest_square() const noexcept;
   double fall_at_start(double dt) const noexcept;
-  double attachment_power() const noexcept;
   double force_noise() const noexcept;
 
+  const ImplicitKernels<T>* kernels_ = nullptr;
+  std::unique_ptr<ImplicitStorage<T>> storage_;
+  ImplicitGrid<T> grid_;
+  ImplicitConstants<T> constants_;
+  ImplicitRunner<T> run_;
+  ImplicitStepConstants<T> step_;
+  ImplicitOptions options_;
+  ImplicitHolds<T> holds_;
   Fall fall_;
   double stiffest_ = 0.0;      // of a yarn edge at rest [N/m]
   double size_ = 0.0;          // diagonal of the flat piece [m]

@@ -1,9 +1,11 @@
-// Forces, strains and linearisation of the implicit step in lanes; included once per instruction set.
+// Forces, strains and linearisation of the implicit step, row by row; included once per instruction set.
 // SPDX-License-Identifier: Apache-2.0
 // Source: docs/theory/engine.md (energies and symbols), docs/theory/implicit-step.md (linearisation).
 //
-// Elements of a row are computed once into a ring of three rows of scratch, then every node collects from its
-// neighbours: no scattered writes, and the rows at the border of a share are simply computed twice.
+// Rows are gone through from the first to the last, vectors from west to east. What the elements of a row put
+// on their own nodes and on the next row is summed in registers that move along with the vector; on the row
+// before it is added in memory. Every sum has the same order however the rows are shared out: the elements of
+// the rows just outside a share are computed too, and only what falls into the share is kept.
 #if defined(FUAI_IMPLICIT_EVALUATE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FUAI_IMPLICIT_EVALUATE_INL_H
 #undef FUAI_IMPLICIT_EVALUATE_INL_H
@@ -11,8 +13,8 @@
 #define FUAI_IMPLICIT_EVALUATE_INL_H
 #endif
 
+#include "fuai/solver/implicit_elements-inl.h"
 #include "fuai/solver/implicit_kernels.h"
-#include "fuai/solver/implicit_lanes-inl.h"
 
 // Products of rows, columns and lanes: a lattice has at most 4096 slots a side.
 // NOLINTBEGIN(bugprone-implicit-widening-of-multiplication-result)
@@ -20,274 +22,75 @@ HWY_BEFORE_NAMESPACE();
 namespace fuai {
 namespace HWY_NAMESPACE {
 
-/// Fields of one row of scratch. Gradients: on the next node of a yarn (U, with the tension of the edge) and
-/// on the one before (L); of a cell along its diagonals (P: x11 against x00, M: x10 against x01) and its
-/// twist (D).
-enum ScratchField { kU1 = 0, kL1 = 3, kU2 = 6, kL2 = 9, kP = 12, kM = 15, kD = 18, kScratchFields = 21 };
-inline constexpr int kRing = 3;
-
+/// Sums of one row of nodes while its vectors are gone through: what elements put on their own node (`here`),
+/// on those before and after along the weft.
 template <class T>
-HWY_INLINE std::ptrdiff_t scratch_width(const ImplicitGrid<T>& g) {
-  return g.stride + 2 * static_cast<std::ptrdiff_t>(kVectorBytes / sizeof(T));
-}
-/// One row of the ring; number 0 of a field is column 0.
-template <class T>
-struct ScratchRow {
-  T* base;
-  std::ptrdiff_t width;
-  Field3<T> field(int first) const {
-    T* start = base + first * width + static_cast<std::ptrdiff_t>(kVectorBytes / sizeof(T));
-    return {start, start + width, start + 2 * width};
+class RowSums {
+ public:
+  /// @param out null: the sums of this row are not wanted
+  HWY_INLINE RowSums(const ImplicitGrid<T>& g, const Turn<T>& turn, const Field3<T>* out, int row)
+      : turn_(turn), out_(out), row_(g.at(row)), end_(row_ + g.stride), lanes_(g.lanes) {
+    before_ = after_ = first_west_ = zero3<T>();
   }
-};
-template <class T>
-HWY_INLINE ScratchRow<T> scratch_row(const ImplicitGrid<T>& g, T* scratch, int row) {
-  const std::ptrdiff_t width = scratch_width(g);
-  return {scratch + ((row + kRing) % kRing) * kScratchFields * width, width};
-}
-
-/// The five nodes of a cross and the element they belong to.
-template <class T>
-struct Cross {
-  Lane3<T> weft_next, weft_back, warp_next, warp_back;  ///< edge vectors along the yarns, growing index
-};
-
-/// Secants are taken to at least this strain [-]: below it friction at zero strain would make them endless.
-/// Ten times more lets the cupro's slack edges hunt again, see docs/theory/implicit-step.md.
-template <class T>
-inline constexpr T kLeastSecantStrain = T(2e-4);
-
-/// Tension of the edge `e`: gradient on its far node; strain; linearisation.
-template <class T>
-struct Tension {
-  Lane3<T> gradient, axis;
-  Lane<T> strain, side;
-};
-template <class T>
-HWY_INLINE Tension<T> tension(const ImplicitConstants<T>& k, const LawTableView<T>& law, T* const* memory,
-                              std::ptrdiff_t at, const Lane3<T>& e, Lane<T> area, Lane<T> rate,
-                              Lane<T> strain_n) {
-  const Lane<T> square = hn::Max(dot(e, e), set(T(1e-6) * k.h * k.h));
-  const Lane<T> per_metre = inverse_root<T>(square);
-  const Lane<T> length = hn::Mul(square, per_metre);
-  const Lane3<T> u = scale(per_metre, e);
-  Tension<T> t;
-  t.strain = hn::MulSub(length, set(k.inverse_h), set(T(1)));
-  const LaneResponse<T> r = evaluate_law(law, t.strain, memory, at);
-  const Lane<T> stress = hn::MulAdd(rate, hn::Sub(t.strain, strain_n), r.stress);
-  const Lane<T> per_length = hn::Mul(area, set(k.inverse_h));
-  t.gradient = scale(hn::Mul(per_length, stress), u);
-  // Along the yarn the tangent, across it the tension over the length; both not negative.
-  t.side = hn::Max(hn::Mul(hn::Mul(per_length, stress), per_metre), hn::Zero(Tag<T>()));
-  // Where the law softens (slack, a measured toe) its tangent promises less stiffness than the edge shows a
-  // moment later, and the step would hunt to and fro; the secant to zero strain bounds it.
-  const Lane<T> secant =
-      hn::Mul(hn::Abs(r.stress), inverse<T>(hn::Max(hn::Abs(t.strain), set(kLeastSecantStrain<T>))));
-  const Lane<T> along =
-      hn::Mul(hn::Mul(per_length, set(k.inverse_h)), hn::Add(hn::Max(r.tangent, secant), rate));
-  t.axis = scale(root<T>(hn::Sub(along, t.side)), u);
-  return t;
-}
-
-/// One direction of bending at a node: how the curvature depends on D and T.
-template <class T>
-struct Curvature {
-  Lane3<T> D, chord;
-  Lane<T> inverse_chord, t, kappa, slope;  ///< slope = d kappa / d t
-};
-template <class T>
-HWY_INLINE Curvature<T> curvature(const ImplicitConstants<T>& k, const Lane3<T>& D, const Lane3<T>& chord,
-                                  const Lane3<T>& n, Lane<T> curve) {
-  Curvature<T> c;
-  c.D = D;
-  c.chord = chord;
-  c.inverse_chord = inverse_root<T>(hn::Max(dot(chord, chord), set(T(4e-4) * k.h * k.h)));
-  c.t = hn::Mul(dot(n, D), c.inverse_chord);
-  const Lane<T> t2 = hn::Mul(c.t, c.t);
-  const Lane<T> below = inverse<T>(hn::MulAdd(set(T(9)), t2, set(T(15))));
-  c.kappa = hn::Mul(curve, hn::Mul(hn::Mul(c.t, hn::MulAdd(set(T(4)), t2, set(T(15)))), below));
-  const Lane<T> top = hn::MulAdd(hn::MulAdd(set(T(36)), t2, set(T(45))), t2, set(T(225)));
-  c.slope = hn::Mul(curve, hn::Mul(top, hn::Mul(below, below)));
-  return c;
-}
-
-/// 1 where the area is positive, else 0.
-template <class T>
-HWY_INLINE Lane<T> has_cloth(const T* area) {
-  return hn::IfThenElseZero(hn::Gt(load(area), hn::Zero(Tag<T>())), set(T(1)));
-}
-
-/// Bending of a row at one block of columns: gradients into U and L, strains, linearisation.
-template <class T>
-struct BendBlock {
-  Lane3<T> normal;
-  Lane3<T> U1, L1, U2, L2;
-  Lane<T> kappa1, kappa2, stiff1, stiff2, cross;
-};
-template <class T>
-HWY_INLINE BendBlock<T> bend(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, std::ptrdiff_t p,
-                             const Cross<T>& edges) {
-  const Lane<T> zero = hn::Zero(Tag<T>());
-  // A neighbour is one that a yarn edge with cloth leads to; the last slot of a row has none of the next row.
-  const Lane<T> e_next = has_cloth(g.weft_edge + p), e_back = has_cloth(g.weft_edge + p - 1);
-  const Lane<T> n_next = has_cloth(g.warp_edge + p), n_back = has_cloth(g.warp_edge + p - g.stride);
-  const Lane3<T> a1 = scale(e_next, edges.weft_next), b1 = scale(e_back, edges.weft_back);
-  const Lane3<T> a2 = scale(n_next, edges.warp_next), b2 = scale(n_back, edges.warp_back);
-  const Lane3<T> T1 = add(a1, b1), T2 = add(a2, b2);
-  const Lane3<T> N = cross(T1, T2);
-  const Lane<T> inverse_N = inverse_root<T>(hn::Max(dot(N, N), set(T(1e-6) * k.h * k.h * k.h * k.h)));
-  const Lane3<T> n = scale(inverse_N, N);
-  const Curvature<T> c1 = curvature(k, sub(a1, b1), T1, n, load(g.weft_curve + p));
-  const Curvature<T> c2 = curvature(k, sub(a2, b2), T2, n, load(g.warp_curve + p));
-  const LaneResponse<T> r1 = evaluate_law(k.weft_bending, c1.kappa, g.memory_weft_bending, p);
-  const LaneResponse<T> r2 = evaluate_law(k.warp_bending, c2.kappa, g.memory_warp_bending, p);
-  const Lane<T> A1 = load(g.weft_bend + p), A2 = load(g.warp_bend + p);
-  Lane<T> M1 = hn::Mul(A1, r1.stress), M2 = hn::Mul(A2, r2.stress);
-  Lane<T> K1 = hn::Mul(A1, hn::Max(r1.tangent, zero)), K2 = hn::Mul(A2, hn::Max(r2.tangent, zero));
-  Lane<T> K12 = zero;
-  if (k.poisson_bending != T(0)) {
-    // Both curvatures known: coupled. Only one (a free edge): the other relaxes, which softens this one.
-    K12 = hn::Mul(hn::Min(A1, A2), set(k.poisson_bending));
-    const Lane<T> soft1 = hn::IfThenElseZero(hn::Eq(A2, zero), hn::Mul(A1, set(k.free_edge_weft)));
-    const Lane<T> soft2 = hn::IfThenElseZero(hn::Eq(A1, zero), hn::Mul(A2, set(k.free_edge_warp)));
-    M1 = hn::NegMulAdd(soft1, c1.kappa, hn::MulAdd(K12, c2.kappa, M1));
-    M2 = hn::NegMulAdd(soft2, c2.kappa, hn::MulAdd(K12, c1.kappa, M2));
-    K1 = hn::Max(hn::Sub(K1, soft1), zero);
-    K2 = hn::Max(hn::Sub(K2, soft2), zero);
-    // Keep the 2 x 2 block positive semidefinite whatever the tangents are.
-    const Lane<T> most = hn::Sqrt(hn::Mul(K1, K2));
-    K12 = hn::Min(hn::Max(K12, hn::Neg(most)), most);
+  /// Vector by vector. @param west,here,east what this vector's elements add
+  HWY_INLINE void add_vector(std::ptrdiff_t p, const Lane3<T>& west, const Lane3<T>& here,
+                             const Lane3<T>& east) {
+    if (p == row_) {
+      first_west_ = turn_.down(west);
+    } else {
+      put(add(before_, west), p - lanes_);
+    }
+    before_ = add(here, after_);
+    after_ = east;
   }
-  const Lane<T> m1 = hn::Mul(M1, c1.slope), m2 = hn::Mul(M2, c2.slope);
-  const Lane<T> w1 = hn::Mul(m1, c1.inverse_chord), w2 = hn::Mul(m2, c2.inverse_chord);
-  // dn = (1 - n n^T) dN / |N|
-  const Lane3<T> lever = add(scale(w1, c1.D), scale(w2, c2.D));
-  const Lane3<T> q = scale(inverse_N, neg_mul_add(dot(n, lever), n, lever));
-  const Lane3<T> P1 = scale(w1, n), P2 = scale(w2, n);
-  const Lane<T> s1 = hn::Mul(hn::Mul(w1, c1.t), c1.inverse_chord);
-  const Lane<T> s2 = hn::Mul(hn::Mul(w2, c2.t), c2.inverse_chord);
-  const Lane3<T> Q1 = neg_mul_add(s1, T1, cross(T2, q)), Q2 = neg_mul_add(s2, T2, cross(q, T1));
-  BendBlock<T> block;
-  block.normal = n;
-  block.U1 = scale(e_next, add(P1, Q1));
-  block.L1 = scale(e_back, sub(P1, Q1));
-  block.U2 = scale(n_next, add(P2, Q2));
-  block.L2 = scale(n_back, sub(P2, Q2));
-  block.kappa1 = c1.kappa;
-  block.kappa2 = c2.kappa;
-  const Lane<T> f1 = hn::Mul(c1.slope, c1.inverse_chord), f2 = hn::Mul(c2.slope, c2.inverse_chord);
-  block.stiff1 = hn::Mul(K1, hn::Mul(f1, f1));
-  block.stiff2 = hn::Mul(K2, hn::Mul(f2, f2));
-  block.cross = hn::Mul(K12, hn::Mul(f1, f2));
-  return block;
-}
-
-/// Shear and twist of the cells of one block.
-template <class T>
-struct CellBlock {
-  Lane3<T> P, M, D, plus, minus;
-  Lane<T> gamma;
-};
-template <class T>
-HWY_INLINE CellBlock<T> cell(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, std::ptrdiff_t p,
-                             const Lane3<T>& x00, const Lane3<T>& x10) {
-  const Lane3<T> x01 = load3(g.x, p + g.stride), x11 = load3(g.x, p + g.stride + 1);
-  const Lane3<T> plus = sub(x11, x00), minus = sub(x10, x01);
-  const Lane<T> half = set(T(0.5) * k.inverse_h);
-  const Lane3<T> a = scale(half, add(plus, minus)), b = scale(half, sub(plus, minus));
-  const Lane<T> floor = set(T(1e-6));
-  const Lane<T> one = set(T(1));
-  const Lane<T> inverse_a = inverse_root<T>(hn::Max(dot(a, a), floor));
-  const Lane<T> inverse_b = inverse_root<T>(hn::Max(dot(b, b), floor));
-  const Lane3<T> ua = scale(inverse_a, a), ub = scale(inverse_b, b);
-  const Lane<T> s = dot(ua, ub), s2 = hn::Mul(s, s);
-  // gamma = s + s^3/6 + 3 s^5/40 + 5 s^7/112 and its slope
-  const Lane<T> series = hn::MulAdd(hn::MulAdd(set(T(5.0 / 112)), s2, set(T(3.0 / 40))), s2, set(T(1.0 / 6)));
-  const Lane<T> slope_series = hn::MulAdd(hn::MulAdd(set(T(5.0 / 16)), s2, set(T(3.0 / 8))), s2, set(T(0.5)));
-  CellBlock<T> block;
-  block.gamma = hn::MulAdd(hn::Mul(s, s2), series, s);
-  const Lane<T> slope = hn::MulAdd(s2, slope_series, one);
-  const LaneResponse<T> r = evaluate_law(k.shear, block.gamma, g.memory_shear, p);
-  const Lane<T> area = load(g.cell_area + p);
-  const Lane3<T> ga = scale(hn::Mul(slope, inverse_a), neg_mul_add(s, ua, ub));
-  const Lane3<T> gb = scale(hn::Mul(slope, inverse_b), neg_mul_add(s, ub, ua));
-  const Lane3<T> gp = scale(half, add(ga, gb)), gm = scale(half, sub(ga, gb));
-  const Lane<T> weight = hn::Mul(area, r.stress);
-  block.P = scale(weight, gp);
-  block.M = scale(weight, gm);
-  block.D = scale(hn::Mul(load(g.twist_area + p), set(k.twist)), sub(add(x11, x00), add(x10, x01)));
-  const Lane<T> weight_root = root<T>(hn::Mul(area, r.tangent));
-  block.plus = scale(weight_root, gp);
-  block.minus = scale(weight_root, gm);
-  return block;
-}
-
-/// Inertia, weight and air of a block; writes the ground stiffness when linearising.
-template <class T>
-HWY_INLINE Lane3<T> outer_force(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k,
-                                const ImplicitStepConstants<T>& s, std::ptrdiff_t p, const Lane3<T>& x,
-                                const Lane3<T>& n, bool linearise) {
-  const Lane<T> zero = hn::Zero(Tag<T>());
-  const Lane3<T> xn = load3(g.xn, p), v = load3(g.v, p);
-  const Lane3<T> push = {hn::Add(v.x, set(s.gravity_dt[0])), hn::Add(v.y, set(s.gravity_dt[1])),
-                         hn::Add(v.z, set(s.gravity_dt[2]))};
-  const Lane3<T> moved = sub(x, xn);
-  const Lane<T> area = load(g.node_area + p);
-  const Lane<T> inertia = hn::Mul(hn::Mul(area, load(g.mobile + p)), set(k.areal_mass * s.inertia));
-  Lane3<T> force = scale(inertia, sub(scale(set(s.velocity_gain), push), moved));
-  const Lane3<T> slip = {hn::Sub(moved.x, set(s.wind_dt[0])), hn::Sub(moved.y, set(s.wind_dt[1])),
-                         hn::Sub(moved.z, set(s.wind_dt[2]))};
-  const Lane3<T> against = {hn::NegMulAdd(set(s.wind_dt[0]), set(s.inverse_dt), v.x),
-                            hn::NegMulAdd(set(s.wind_dt[1]), set(s.inverse_dt), v.y),
-                            hn::NegMulAdd(set(s.wind_dt[2]), set(s.inverse_dt), v.z)};
-  const Lane<T> rate = hn::Mul(area, set(s.inverse_dt));
-  const Lane<T> speed_n = dot(n, against);
-  const Lane<T> speed_t2 = hn::Max(hn::NegMulAdd(speed_n, speed_n, dot(against, against)), zero);
-  const Lane<T> tangential = hn::Mul(hn::Mul(rate, set(k.air_tangential)), root<T>(speed_t2));
-  const Lane<T> across = hn::Mul(hn::Mul(rate, set(k.air_normal)), hn::Abs(speed_n));
-  const Lane<T> extra = hn::Max(hn::Sub(across, tangential), zero);
-  force = neg_mul_add(tangential, slip, force);
-  force = neg_mul_add(hn::Mul(extra, dot(n, slip)), n, force);
-  if (linearise) {
-    store(hn::Add(inertia, tangential), g.ground + p);
-    store(extra, g.air + p);
+  /// What is left at the end of the row: the last vector, and what goes round to the first.
+  HWY_INLINE void finish() const {
+    put(add(before_, first_west_), end_ - lanes_);
+    if (out_ != nullptr) put(add(load3(*out_, row_), turn_.up(after_)), row_);
   }
-  return force;
+
+ private:
+  HWY_INLINE void put(const Lane3<T>& sum, std::ptrdiff_t p) const {
+    if (out_ != nullptr) store3(sum, *out_, p);
+  }
+  const Turn<T>& turn_;
+  const Field3<T>* out_;
+  std::ptrdiff_t row_, end_;
+  int lanes_;
+  Lane3<T> before_, after_, first_west_;
+};
+
+/// Where what the elements of a row put on nodes is wanted, and whether what belongs to the row itself is.
+struct RowPart {
+  int row;
+  bool below, own, above;
+};
+/// The parts of row `row` that fall into the share [begin, end).
+inline RowPart row_part(int row, int begin, int end) {
+  return {row, row > begin, row >= begin && row < end, row + 1 < end};
 }
 
-/// Computes the elements of one row into the ring; what belongs to the nodes of the row itself is written
-/// only when the row is the caller's own.
+/// Tension of the yarn edges of a row; the first that the row and the one after it get.
 template <class T>
-HWY_NOINLINE void element_row(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k,
-                              const ImplicitStepConstants<T>& s, ScratchRow<T> out, int row, bool own,
+HWY_NOINLINE void tension_row(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k,
+                              const ImplicitStepConstants<T>& s, const Turn<T>& turn, const RowPart part,
                               bool linearise) {
   const std::ptrdiff_t S = g.stride;
-  const int lanes = lanes_of<T>();
-  for (int c = 0; c < g.width; c += lanes) {
-    const std::ptrdiff_t p = g.at(row) + c;
-    const Lane3<T> x = load3(g.x, p), east = load3(g.x, p + 1), north = load3(g.x, p + S);
-    const Cross<T> edges = {sub(east, x), sub(x, load3(g.x, p - 1)), sub(north, x),
-                            sub(x, load3(g.x, p - S))};
-    const Tension<T> weft =
-        tension(k, k.weft_tension, g.memory_weft_tension, p, edges.weft_next, load(g.weft_edge + p),
-                set(k.viscosity_weft * s.inverse_dt), load(g.weft_strain_n + p));
+  RowSums<T> own(g, turn, part.own ? &g.force : nullptr, part.row);
+  for (int v = 0; v < g.vectors; ++v) {
+    const Place<T> at(g, turn, part.row, v);
+    const std::ptrdiff_t p = at.p;
+    const Lane3<T> x = load3(g.x, p);
     const Tension<T> warp =
-        tension(k, k.warp_tension, g.memory_warp_tension, p, edges.warp_next, load(g.warp_edge + p),
+        tension(k, k.warp_tension, g.memory_warp_tension, p, sub(load3(g.x, p + S), x), load(g.warp_edge + p),
                 set(k.viscosity_warp * s.inverse_dt), load(g.warp_strain_n + p));
-    const BendBlock<T> bends = bend(g, k, p, edges);
-    const CellBlock<T> shear = cell(g, k, p, x, east);
-    store3(add(bends.U1, weft.gradient), out.field(kU1), c);
-    store3(bends.L1, out.field(kL1), c);
-    store3(add(bends.U2, warp.gradient), out.field(kU2), c);
-    store3(bends.L2, out.field(kL2), c);
-    store3(shear.P, out.field(kP), c);
-    store3(shear.M, out.field(kM), c);
-    store3(shear.D, out.field(kD), c);
-    if (!own) continue;
-    store3(outer_force(g, k, s, p, x, bends.normal, linearise), g.force, p);
-    store(bends.kappa1, g.strain[0] + p);
-    store(bends.kappa2, g.strain[1] + p);
-    store(shear.gamma, g.strain[2] + p);
+    if (part.above) store3(negative(warp.gradient), g.force, p + S);
+    if (!part.own) continue;
+    const Tension<T> weft =
+        tension(k, k.weft_tension, g.memory_weft_tension, p, sub(at.east3(g.x), x), load(g.weft_edge + p),
+                set(k.viscosity_weft * s.inverse_dt), load(g.weft_strain_n + p));
+    own.add_vector(p, zero3<T>(), add(load3(g.force, p), add(weft.gradient, warp.gradient)),
+                   negative(weft.gradient));
     store(weft.strain, g.strain[3] + p);
     store(warp.strain, g.strain[4] + p);
     if (!linearise) continue;
@@ -295,46 +98,96 @@ HWY_NOINLINE void element_row(const ImplicitGrid<T>& g, const ImplicitConstants<
     store3(warp.axis, g.warp_axis, p);
     store(weft.side, g.weft_side + p);
     store(warp.side, g.warp_side + p);
+  }
+  if (part.own) own.finish();
+}
+
+/// Bending of the yarns, inertia, weight and air of a row.
+template <class T>
+HWY_NOINLINE void bend_row(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k,
+                           const ImplicitStepConstants<T>& s, const Turn<T>& turn, const RowPart part,
+                           bool linearise) {
+  const std::ptrdiff_t S = g.stride;
+  RowSums<T> own(g, turn, part.own ? &g.force : nullptr, part.row);
+  // Folds stiffen the edges on both their sides.
+  Lane<T> side = hn::Zero(Tag<T>()), first_fold = side;
+  const bool keep = part.own && linearise;
+  for (int v = 0; v < g.vectors; ++v) {
+    const Place<T> at(g, turn, part.row, v);
+    const std::ptrdiff_t p = at.p;
+    const Lane3<T> x = load3(g.x, p);
+    const Cross<T> edges = {sub(at.east3(g.x), x), sub(x, at.west3(g.x)), sub(load3(g.x, p + S), x),
+                            sub(x, load3(g.x, p - S))};
+    const BendBlock<T> bends = bend(g, k, at, edges);
+    if (part.above) store3(sub(load3(g.force, p + S), bends.U2), g.force, p + S);
+    if (part.below) {
+      store3(sub(load3(g.force, p - S), bends.L2), g.force, p - S);
+      if (linearise) store(hn::Add(load(g.warp_side + p - S), bends.fold2), g.warp_side + p - S);
+    }
+    if (!part.own) continue;
+    const Lane3<T> inner = add(add(bends.U1, bends.L1), add(bends.U2, bends.L2));
+    const Lane3<T> outer = outer_force(g, k, s, p, x, bends.normal, linearise);
+    own.add_vector(p, negative(bends.L1), add(load3(g.force, p), add(inner, outer)), negative(bends.U1));
+    store(bends.kappa1, g.strain[0] + p);
+    store(bends.kappa2, g.strain[1] + p);
+    if (!keep) continue;
     store3(bends.normal, g.normal, p);
     store(bends.stiff1, g.weft_stiff + p);
     store(bends.stiff2, g.warp_stiff + p);
     if (g.cross_stiff != nullptr) store(bends.cross, g.cross_stiff + p);
-    store3(shear.plus, g.shear_plus, p);
-    store3(shear.minus, g.shear_minus, p);
+    store(hn::Add(load(g.warp_side + p), bends.fold2), g.warp_side + p);
+    if (v == 0) {
+      first_fold = turn.down(bends.fold1);
+    } else {
+      store(hn::Add(side, bends.fold1), g.weft_side + p - g.lanes);
+    }
+    side = hn::Add(load(g.weft_side + p), bends.fold1);
   }
+  if (part.own) own.finish();
+  if (keep) store(hn::Add(side, first_fold), g.weft_side + g.at(part.row) + S - g.lanes);
 }
 
-/// What the neighbours of a row's nodes put on them: the gradient of all elements. `below`, `here` and
-/// `above` are the rows of the ring.
+/// Shear and twist of the cells of a row.
 template <class T>
-HWY_INLINE Lane3<T> collect(const ScratchRow<T>& below, const ScratchRow<T>& here, const ScratchRow<T>& above,
-                            std::ptrdiff_t c) {
-  Lane3<T> sum = add(load3(here.field(kU1), c - 1), load3(here.field(kL1), c + 1));
-  sum = sub(sum, add(load3(here.field(kU1), c), load3(here.field(kL1), c)));
-  sum = add(sum, add(load3(below.field(kU2), c), load3(above.field(kL2), c)));
-  sum = sub(sum, add(load3(here.field(kU2), c), load3(here.field(kL2), c)));
-  // As x00 of its own cell, x10 of the cell before, x01 of the cell below, x11 of the one before that.
-  sum = add(sum, sub(load3(here.field(kD), c), load3(here.field(kP), c)));
-  sum = add(sum, sub(load3(here.field(kM), c - 1), load3(here.field(kD), c - 1)));
-  sum = sub(sum, add(load3(below.field(kM), c), load3(below.field(kD), c)));
-  return add(sum, add(load3(below.field(kP), c - 1), load3(below.field(kD), c - 1)));
+HWY_NOINLINE void cell_row(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, const Turn<T>& turn,
+                           const RowPart part, bool linearise) {
+  RowSums<T> own(g, turn, part.own ? &g.force : nullptr, part.row);
+  RowSums<T> above(g, turn, part.above ? &g.force : nullptr, part.row + 1);
+  for (int v = 0; v < g.vectors; ++v) {
+    const Place<T> at(g, turn, part.row, v);
+    const std::ptrdiff_t p = at.p;
+    const CellBlock<T> shear = cell(g, k, at);
+    Lane3<T> here = sub(shear.P, shear.D), north = add(shear.M, shear.D);
+    if (part.own) {
+      here = add(here, load3(g.force, p));
+      store(shear.gamma, g.strain[2] + p);
+      if (linearise) {
+        store3(shear.plus, g.shear_plus, p);
+        store3(shear.minus, g.shear_minus, p);
+      }
+    }
+    if (part.above) north = add(north, load3(g.force, p + g.stride));
+    own.add_vector(p, zero3<T>(), here, sub(shear.D, shear.M));
+    above.add_vector(p + g.stride, zero3<T>(), north, negative(add(shear.P, shear.D)));
+  }
+  own.finish();
+  above.finish();
 }
 
 template <class T>
 void evaluate_rows(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, const ImplicitStepConstants<T>& s,
-                   Evaluation what, T* scratch, int begin, int end) {
+                   Evaluation what, int begin, int end) {
   const bool linearise = what == Evaluation::kLinearise;
-  const int lanes = lanes_of<T>();
-  for (int row = begin - 1; row <= end; ++row) {
-    element_row(g, k, s, scratch_row(g, scratch, row), row, row >= begin && row < end, linearise);
-    const int done = row - 1;
-    if (done < begin) continue;
-    const ScratchRow<T> below = scratch_row(g, scratch, done - 1), here = scratch_row(g, scratch, done),
-                        above = scratch_row(g, scratch, row);
-    for (int c = 0; c < g.width; c += lanes) {
-      const std::ptrdiff_t p = g.at(done) + c;
-      store3(sub(load3(g.force, p), collect(below, here, above, c)), g.force, p);
-    }
+  const Turn<T> turn;
+  if (begin == end) return;
+  if (begin == 0) {
+    for (std::ptrdiff_t p = g.at(0); p < g.at(1); p += g.lanes) store3(zero3<T>(), g.force, p);
+  }
+  for (int row = begin > 0 ? begin - 1 : 0; row <= end && row < g.rows; ++row) {
+    const RowPart part = row_part(row, begin, end);
+    if (row < end) tension_row(g, k, s, turn, part, linearise);
+    bend_row(g, k, s, turn, part, linearise);
+    if (row < end) cell_row(g, k, turn, part, linearise);
   }
 }
 
@@ -350,18 +203,14 @@ HWY_INLINE void commit_law(const LawTableView<T>& law, Lane<T> strain, T* const*
 
 template <class T>
 void commit_rows(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, int begin, int end) {
-  const int lanes = lanes_of<T>();
-  for (int row = begin; row < end; ++row) {
-    for (int c = 0; c < g.width; c += lanes) {
-      const std::ptrdiff_t p = g.at(row) + c;
-      commit_law(k.weft_bending, load(g.strain[0] + p), g.memory_weft_bending, p);
-      commit_law(k.warp_bending, load(g.strain[1] + p), g.memory_warp_bending, p);
-      commit_law(k.shear, load(g.strain[2] + p), g.memory_shear, p);
-      commit_law(k.weft_tension, load(g.strain[3] + p), g.memory_weft_tension, p);
-      commit_law(k.warp_tension, load(g.strain[4] + p), g.memory_warp_tension, p);
-      store(load(g.strain[3] + p), g.weft_strain_n + p);
-      store(load(g.strain[4] + p), g.warp_strain_n + p);
-    }
+  for (std::ptrdiff_t p = g.at(begin); p < g.at(end); p += g.lanes) {
+    commit_law(k.weft_bending, load(g.strain[0] + p), g.memory_weft_bending, p);
+    commit_law(k.warp_bending, load(g.strain[1] + p), g.memory_warp_bending, p);
+    commit_law(k.shear, load(g.strain[2] + p), g.memory_shear, p);
+    commit_law(k.weft_tension, load(g.strain[3] + p), g.memory_weft_tension, p);
+    commit_law(k.warp_tension, load(g.strain[4] + p), g.memory_warp_tension, p);
+    store(load(g.strain[3] + p), g.weft_strain_n + p);
+    store(load(g.strain[4] + p), g.warp_strain_n + p);
   }
 }
 

@@ -2,21 +2,26 @@
 // SPDX-License-Identifier: Apache-2.0
 // Source: docs/theory/implicit-step.md.
 //
-//   node (column, row) is number at(row) + column of every array; kPadRows rows of zeros lie before the first
-//   and after the last row, so that every neighbour can be read; the neighbour of the last number of a row
-//   may be the first of the next, which elements without cloth between the two multiply by zero transposed
-//   arrays (suffix _t) hold the same nodes column by column, for the lines along the weft
+//   node (column, row) is number index(column, row) of every array. A row is cut into as many equal runs of
+//   columns as a vector has lanes, one run a lane: the neighbour of a vector's nodes along the weft is the
+//   next vector, lane by lane, and only the last vector's neighbour is the first one with its lanes moved by
+//   one. There the last lane wraps round to the first column, which elements without cloth multiply by zero.
+//   A row of zeros lies before the first and after the last row, so that every neighbour can be read.
 #pragma once
 
 #include <cstddef>
 
+#include "fuai/core/types.h"
 #include "fuai/solver/law_table.h"
 
 namespace fuai {
 
-inline constexpr int kPadRows = 2;
-/// Rows are padded to whole vectors of the widest machine: 64 bytes.
+inline constexpr int kPadRows = 1;
+/// Of the widest machine.
 inline constexpr std::size_t kVectorBytes = 64;
+
+/// Of a node in the storage of the line solves.
+inline constexpr int kLineFields = 12;
 
 /// What stays the same during a step.
 template <class T>
@@ -27,6 +32,7 @@ struct ImplicitConstants {
   T free_edge_weft = 0,
     free_edge_warp = 0;  ///< B12^2 / B of the other direction [N m]: taken off at a free edge
   T viscosity_weft = 0, viscosity_warp = 0;  ///< eta [N s/m]
+  T most_fold = 0;                           ///< no fold is taken for stiffer than this [N/m]
   T areal_mass = 0;                          ///< [kg/m2]
   T mass_drag = 0;                           ///< c [1/s]
   T air_normal = 0, air_tangential = 0;      ///< rho C / 2 [kg/m3]
@@ -51,16 +57,27 @@ struct Field3 {
   T* z = nullptr;
 };
 
+/// One number of each component.
+template <class T>
+Vec3 vector_at(const Field3<T>& field, std::ptrdiff_t p) noexcept {
+  return {static_cast<double>(field.x[p]), static_cast<double>(field.y[p]), static_cast<double>(field.z[p])};
+}
+template <class T>
+void put(const Field3<T>& field, std::ptrdiff_t p, const Vec3& value) noexcept {
+  field.x[p] = static_cast<T>(value.x());
+  field.y[p] = static_cast<T>(value.y());
+  field.z[p] = static_cast<T>(value.z());
+}
+
 /// The arrays (nodes each, unless said).
 template <class T>
 struct ImplicitGrid {
   int columns = 0, rows = 0;
-  int stride = 0;    ///< numbers a row, a multiple of kVectorBytes / sizeof(T)
-  int width = 0;     ///< columns rounded up to whole vectors of the widest machine: what kernels work on
-  int stride_t = 0;  ///< numbers a column of the transposed arrays
+  int lanes = 0;    ///< numbers a vector
+  int vectors = 0;  ///< a row
+  int stride = 0;   ///< numbers a row
   // Constant.
-  T* mobile = nullptr;      ///< 1: live and not fixed
-  T* node_area = nullptr;   ///< [m2]
+  T* node_area = nullptr;   ///< [m2]; negative where the node is fixed or not live
   T* cell_area = nullptr;   ///< [m2]
   T* twist_area = nullptr;  ///< [m2]
   T* weft_edge = nullptr;   ///< areas [m2]
@@ -86,7 +103,7 @@ struct ImplicitGrid {
       {};  ///< kappa weft, kappa warp, gamma, eps weft, eps warp of the last evaluation; shares p and q
   // Linearisation.
   T* ground = nullptr;  ///< stiffness to the world, isotropic: inertia, tangential air, grasp [N/m]
-  T* air = nullptr;     ///< the same along the normal, in addition
+  T* air = nullptr;     ///< the same along the normal, in addition; null without air
   Field3<T> weft_axis, warp_axis;  ///< sqrt(k_along) u of the edges
   T* weft_side = nullptr;          ///< k_across of the edges [N/m]
   T* warp_side = nullptr;
@@ -95,20 +112,29 @@ struct ImplicitGrid {
   T* warp_stiff = nullptr;
   T* cross_stiff = nullptr;           ///< null without B12
   Field3<T> shear_plus, shear_minus;  ///< sqrt(k) times the gradient of gamma at x11 and at x10
-  // Lines: 6 of the inverted diagonal (xx, xy, xz, yy, yz, zz) and 6 of the coupling to the next node.
-  T* warp_inverse[6] = {};
-  T* warp_link[6] = {};
-  T* weft_inverse_t[6] = {};
-  T* weft_link_t[6] = {};
-  Field3<T> line_t;  ///< right-hand side and solution of the weft lines
-  // Partial sums, one a row.
+  // Lines, one a lane: vector after vector of lines, node after node, kLineFields vectors each: 6 of the
+  // inverted diagonal (xx, xy, xz, yy, yz, zz) and 6 of the coupling to the next node.
+  T* warp_lines = nullptr;
+  T* weft_lines = nullptr;
+  // Partial sums, one a row (of solve_warp: one a vector of columns).
   double* partial = nullptr;
   double* partial_kinetic = nullptr;
   double* partial_weight = nullptr;
 
   std::ptrdiff_t at(int row) const noexcept { return static_cast<std::ptrdiff_t>(row + kPadRows) * stride; }
-  std::ptrdiff_t at_t(int column) const noexcept {
-    return static_cast<std::ptrdiff_t>(column + kPadRows) * stride_t;
+  std::ptrdiff_t index(int column, int row) const noexcept {
+    return at(row) + static_cast<std::ptrdiff_t>(column % vectors) * lanes + column / vectors;
+  }
+  /// Of a slot of the model.
+  std::ptrdiff_t slot_index(int slot) const noexcept { return index(slot % columns, slot / columns); }
+  /// Whether the node of an index is live and not fixed.
+  bool mobile(std::ptrdiff_t index) const noexcept { return node_area[index] > T(0); }
+  int row_vectors() const noexcept { return (rows + lanes - 1) / lanes; }
+  std::ptrdiff_t warp_line(int vector, int row) const noexcept {
+    return (static_cast<std::ptrdiff_t>(vector) * rows + row) * kLineFields * lanes;
+  }
+  std::ptrdiff_t weft_line(int row_vector, int column) const noexcept {
+    return (static_cast<std::ptrdiff_t>(row_vector) * stride + column) * kLineFields * lanes;
   }
 };
 

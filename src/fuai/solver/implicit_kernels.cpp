@@ -19,7 +19,7 @@ namespace HWY_NAMESPACE {
 
 template <class T>
 int scratch_numbers(const ImplicitGrid<T>& g) {
-  return static_cast<int>(kRing * kScratchFields * scratch_width(g));
+  return static_cast<int>(kWeftBeside * weft_scratch(g));
 }
 
 template <class T>
@@ -33,7 +33,6 @@ ImplicitKernels<T> make_kernels() {
   k.factor_weft = &factor_weft_vectors<T>;
   k.solve_warp = &solve_warp_vectors<T>;
   k.solve_weft = &solve_weft_vectors<T>;
-  k.average = &average_vectors<T>;
   k.advance = &advance_rows<T>;
   k.direct = &direct_rows<T>;
   k.begin_solve = &begin_solve_rows<T>;

@@ -13,37 +13,36 @@ enum class Evaluation {
   kLinearise,  ///< the linearisation arrays
 };
 
-/// Kernels over rows [begin, end), or over vectors of lines where said (lanes() lines each). All are
+/// Kernels over rows [begin, end), or over vectors of rows or columns where said. All are
 /// noexcept, allocate nothing and write only what belongs to their rows, so that rows may be shared out to
 /// threads in any way without changing a bit. Sums go to `partial`, one a row.
 template <class T>
 struct ImplicitKernels {
   using Grid = ImplicitGrid<T>;
   /// force = -dE/dx of internal energy, weight, inertia and air; strains; the linearisation on request.
-  /// @param scratch evaluate_scratch() numbers, one set a caller
   void (*evaluate)(const Grid&, const ImplicitConstants<T>&, const ImplicitStepConstants<T>&, Evaluation,
-                   T* scratch, int begin, int end);
+                   int begin, int end);
   /// Moves the friction memory to the strains of the last evaluation and remembers the strains of the edges.
   void (*commit)(const Grid&, const ImplicitConstants<T>&, int begin, int end);
   /// q = A p; partial = p.q. Nodes that are not mobile are left out.
-  void (*multiply)(const Grid&, const ImplicitConstants<T>&, T* scratch, int begin, int end);
-  /// Diagonal blocks of A into warp_inverse and weft_inverse_t, couplings along the yarns into warp_link and
-  /// weft_link_t; without links the preconditioner is block Jacobi.
+  void (*multiply)(const Grid&, const ImplicitConstants<T>&, int begin, int end);
+  /// Diagonal blocks of A and couplings along the yarns into the storage of the lines; without links the
+  /// preconditioner is block Jacobi. Vectors of rows.
   void (*assemble)(const Grid&, const ImplicitConstants<T>&, bool links, int begin, int end);
-  /// Factors the warp lines of the columns of vectors [begin, end).
+  /// Factors the warp lines of vectors of columns.
   void (*factor_warp)(const Grid&, int begin, int end);
-  /// Factors the weft lines of the rows of vectors [begin, end).
+  /// Factors the weft lines of vectors of rows.
   void (*factor_weft)(const Grid&, int begin, int end);
-  /// q = (warp lines)^-1 force; columns of vectors [begin, end).
-  void (*solve_warp)(const Grid&, int begin, int end);
-  /// line_t = (weft lines)^-1 force; rows of vectors [begin, end).
-  void (*solve_weft)(const Grid&, int begin, int end);
-  /// q = (q + line_t) / 2; partial = force.q; rows of vectors [begin, end).
-  void (*average)(const Grid&, int begin, int end);
-  /// d += alpha p, force -= alpha q; partial = force.force.
+  /// force -= alpha q, with partial = force.force; q = (warp lines)^-1 force. Vectors of columns, and so the
+  /// sums. Without alpha the sums are zero.
+  void (*solve_warp)(const Grid&, T alpha, int begin, int end);
+  /// q = (q + (weft lines)^-1 force) / 2; partial = force.q. Vectors of rows, the sums a row.
+  /// @param scratch scratch_size() numbers, one set a caller
+  void (*solve_weft)(const Grid&, T* scratch, int begin, int end);
+  /// d += alpha p.
   void (*advance)(const Grid&, T alpha, int begin, int end);
-  /// p = q + beta p.
-  void (*direct)(const Grid&, T beta, int begin, int end);
+  /// d += alpha p, p = q + beta p.
+  void (*direct)(const Grid&, T alpha, T beta, int begin, int end);
   /// force *= mobile, d = p = 0; partial = force.force.
   void (*begin_solve)(const Grid&, int begin, int end);
   /// xn = x.
@@ -67,7 +66,7 @@ struct ImplicitKernels {
   /// weight, partial_kinetic = m v.v, partial_weight = dt m g.v.
   void (*finish)(const Grid&, const ImplicitConstants<T>&, const ImplicitStepConstants<T>&, int begin,
                  int end);
-  /// Numbers of scratch that evaluate and multiply need.
+  /// Numbers of scratch that solve_weft needs.
   int (*scratch_size)(const Grid&);
   const char* target = "";  ///< name of the instruction set
   int lanes = 0;            ///< numbers a vector

@@ -33,11 +33,11 @@ HWY_INLINE Lane<T> set(T value) {
 }
 template <class T>
 HWY_INLINE Lane<T> load(const T* from) {
-  return hn::LoadU(Tag<T>(), from);
+  return hn::Load(Tag<T>(), from);
 }
 template <class T>
 HWY_INLINE void store(Lane<T> value, T* to) {
-  hn::StoreU(value, Tag<T>(), to);
+  hn::Store(value, Tag<T>(), to);
 }
 
 /// A vector of R^3 in every lane.
@@ -69,6 +69,10 @@ template <class T>
 HWY_INLINE Lane3<T> sub(const Lane3<T>& a, const Lane3<T>& b) {
   return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
 }
+template <class T>
+HWY_INLINE Lane3<T> negative(const Lane3<T>& a) {
+  return {hn::Neg(a.x), hn::Neg(a.y), hn::Neg(a.z)};
+}
 template <class T, class V>
 HWY_INLINE Lane3<T> scale(V s, const Lane3<T>& a) {
   return {hn::Mul(s, a.x), hn::Mul(s, a.y), hn::Mul(s, a.z)};
@@ -91,6 +95,65 @@ template <class T>
 HWY_INLINE Lane3<T> cross(const Lane3<T>& a, const Lane3<T>& b) {
   return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
           hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
+}
+
+/// Moves lanes by one, round the end: `up` gives lane i what lane i - 1 held.
+template <class T>
+class Turn {
+ public:
+  HWY_INLINE Turn() {
+    HWY_ALIGN Index up[kMost], down[kMost];
+    const int lanes = lanes_of<T>();
+    for (int i = 0; i < lanes; ++i) {
+      up[i] = static_cast<Index>((i + lanes - 1) % lanes);
+      down[i] = static_cast<Index>((i + 1) % lanes);
+    }
+    up_ = hn::SetTableIndices(Tag<T>(), up);
+    down_ = hn::SetTableIndices(Tag<T>(), down);
+  }
+  HWY_INLINE Lane<T> up(Lane<T> a) const { return hn::TableLookupLanes(a, up_); }
+  HWY_INLINE Lane<T> down(Lane<T> a) const { return hn::TableLookupLanes(a, down_); }
+  HWY_INLINE Lane3<T> up(const Lane3<T>& a) const { return {up(a.x), up(a.y), up(a.z)}; }
+  HWY_INLINE Lane3<T> down(const Lane3<T>& a) const { return {down(a.x), down(a.y), down(a.z)}; }
+
+ private:
+  using Index = hn::TFromD<hn::RebindToSigned<Tag<T>>>;
+  static constexpr int kMost = static_cast<int>(kVectorBytes / sizeof(T));
+  decltype(hn::SetTableIndices(Tag<T>(), static_cast<const Index*>(nullptr))) up_, down_;
+};
+
+/// A vector of a row, and the vectors of the nodes before and after along the weft.
+template <class T>
+struct Place {
+  const Turn<T>& turn;
+  std::ptrdiff_t row, p;  ///< numbers of the row's first vector and of this one
+  std::ptrdiff_t end;     ///< of the row
+  int lanes;
+
+  HWY_INLINE Place(const ImplicitGrid<T>& g, const Turn<T>& t, int r, int vector)
+      : turn(t),
+        row(g.at(r)),
+        p(row + static_cast<std::ptrdiff_t>(vector) * g.lanes),
+        end(row + g.stride),
+        lanes(g.lanes) {}
+  HWY_INLINE Lane<T> west(const T* field, std::ptrdiff_t rows_up = 0) const {
+    return p == row ? turn.up(load(field + end - lanes + rows_up)) : load(field + p - lanes + rows_up);
+  }
+  HWY_INLINE Lane<T> east(const T* field, std::ptrdiff_t rows_up = 0) const {
+    return p + lanes == end ? turn.down(load(field + row + rows_up)) : load(field + p + lanes + rows_up);
+  }
+  HWY_INLINE Lane3<T> west3(const Field3<T>& f, std::ptrdiff_t rows_up = 0) const {
+    return {west(f.x, rows_up), west(f.y, rows_up), west(f.z, rows_up)};
+  }
+  HWY_INLINE Lane3<T> east3(const Field3<T>& f, std::ptrdiff_t rows_up = 0) const {
+    return {east(f.x, rows_up), east(f.y, rows_up), east(f.z, rows_up)};
+  }
+};
+
+/// 1 where the nodes may move, else 0.
+template <class T>
+HWY_INLINE Lane<T> mobile(const ImplicitGrid<T>& g, std::ptrdiff_t p) {
+  return hn::IfThenElseZero(hn::Gt(load(g.node_area + p), hn::Zero(Tag<T>())), set(T(1)));
 }
 
 /// 1 / sqrt(x) of a positive x: in float the processor's estimate and one Newton step, 1e-7 relative.

@@ -16,62 +16,77 @@ HWY_BEFORE_NAMESPACE();
 namespace fuai {
 namespace HWY_NAMESPACE {
 
-/// Elements of one row of A p; the same ring and the same fields as the evaluation.
+/// What the elements of a row add to A p, in the order of the evaluation; finishes the row before: nodes that
+/// are not mobile are left out, its sum of p.q is taken.
 template <class T>
-HWY_NOINLINE void product_row(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, ScratchRow<T> out,
-                              int row, bool own) {
+HWY_NOINLINE void product_row(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, const Turn<T>& turn,
+                              const RowPart part) {
   const std::ptrdiff_t S = g.stride;
-  const int lanes = lanes_of<T>();
-  for (int c = 0; c < g.width; c += lanes) {
-    const std::ptrdiff_t p = g.at(row) + c;
-    const Lane3<T> x = load3(g.p, p), east = load3(g.p, p + 1), north = load3(g.p, p + S);
-    const Lane3<T> e1 = sub(east, x), e2 = sub(north, x);
-    const Lane3<T> n = load3(g.normal, p);
-    const Lane<T> s1 = dot(n, sub(e1, sub(x, load3(g.p, p - 1))));
-    const Lane<T> s2 = dot(n, sub(e2, sub(x, load3(g.p, p - S))));
+  RowSums<T> own(g, turn, part.own ? &g.q : nullptr, part.row);
+  RowSums<T> above(g, turn, part.above ? &g.q : nullptr, part.row + 1);
+  Lane<T> sum = hn::Zero(Tag<T>());
+  for (int v = 0; v < g.vectors; ++v) {
+    const Place<T> at(g, turn, part.row, v);
+    const std::ptrdiff_t p = at.p;
+    const Lane3<T> x = load3(g.p, p), east = at.east3(g.p), north = load3(g.p, p + S);
+    const Lane3<T> south = load3(g.p, p - S), e1 = sub(east, x), e2 = sub(north, x), n = load3(g.normal, p);
+    const Lane<T> s1 = dot(n, sub(e1, sub(x, at.west3(g.p)))), s2 = dot(n, sub(e2, sub(x, south)));
     Lane<T> y1 = hn::Mul(load(g.weft_stiff + p), s1), y2 = hn::Mul(load(g.warp_stiff + p), s2);
     if (g.cross_stiff != nullptr) {
       const Lane<T> cross_stiff = load(g.cross_stiff + p);
       y1 = hn::MulAdd(cross_stiff, s2, y1);
       y2 = hn::MulAdd(cross_stiff, s1, y2);
     }
-    const Lane3<T> L1 = scale(y1, n), L2 = scale(y2, n);
+    if (part.below) {
+      const Lane3<T> q = scale(mobile(g, p - S), mul_add(y2, n, load3(g.q, p - S)));
+      store3(q, g.q, p - S);
+      sum = add_dot<T>(q, south, sum);
+    }
     const Lane3<T> u1 = load3(g.weft_axis, p), u2 = load3(g.warp_axis, p);
-    store3(mul_add(dot(u1, e1), u1, mul_add(load(g.weft_side + p), e1, L1)), out.field(kU1), c);
-    store3(L1, out.field(kL1), c);
-    store3(mul_add(dot(u2, e2), u2, mul_add(load(g.warp_side + p), e2, L2)), out.field(kU2), c);
-    store3(L2, out.field(kL2), c);
-    const Lane3<T> x11 = load3(g.p, p + S + 1);
-    const Lane3<T> plus = load3(g.shear_plus, p), minus = load3(g.shear_minus, p);
+    const Lane3<T> t1 = mul_add(dot(u1, e1), u1, scale(load(g.weft_side + p), e1));
+    const Lane3<T> t2 = mul_add(dot(u2, e2), u2, scale(load(g.warp_side + p), e2));
+    const Lane3<T> x11 = at.east3(g.p, S), plus = load3(g.shear_plus, p), minus = load3(g.shear_minus, p);
     const Lane<T> gamma = add_dot<T>(minus, sub(east, north), dot(plus, sub(x11, x)));
-    store3(scale(gamma, plus), out.field(kP), c);
-    store3(scale(gamma, minus), out.field(kM), c);
-    store3(scale(hn::Mul(load(g.twist_area + p), set(k.twist)), sub(add(x11, x), add(east, north))),
-           out.field(kD), c);
-    if (!own) continue;
-    const Lane3<T> ground = scale(load(g.ground + p), x);
-    store3(mul_add(hn::Mul(load(g.air + p), dot(n, x)), n, ground), g.q, p);
+    const Lane3<T> P = scale(gamma, plus), M = scale(gamma, minus);
+    const Lane3<T> D =
+        scale(hn::Mul(load(g.twist_area + p), set(k.twist)), sub(add(x11, x), add(east, north)));
+    const Lane<T> both = hn::Add(y1, y2), inward = hn::NegMulAdd(set(T(2)), both, hn::Zero(Tag<T>()));
+    Lane3<T> here = sub(mul_add(inward, n, sub(D, P)), add(t1, t2));
+    if (part.own) {
+      here = add(here, load3(g.q, p));  // of the row before
+      here = mul_add(load(g.ground + p), x, here);
+      if (g.air != nullptr) here = mul_add(hn::Mul(load(g.air + p), dot(n, x)), n, here);
+    }
+    own.add_vector(p, scale(y1, n), here, mul_add(y1, n, add(t1, sub(M, D))));
+    above.add_vector(p + S, zero3<T>(), mul_add(y2, n, sub(t2, add(M, D))), add(P, D));
   }
+  own.finish();
+  above.finish();
+  if (part.below) g.partial[part.row - 1] = sum_of_lanes<T>(sum);
+}
+
+/// The last row of all has no row after it to finish it.
+template <class T>
+HWY_INLINE void finish_product(const ImplicitGrid<T>& g, int row) {
+  Lane<T> sum = hn::Zero(Tag<T>());
+  for (std::ptrdiff_t p = g.at(row); p < g.at(row + 1); p += g.lanes) {
+    const Lane3<T> q = scale(mobile(g, p), load3(g.q, p));
+    store3(q, g.q, p);
+    sum = add_dot<T>(q, load3(g.p, p), sum);
+  }
+  g.partial[row] = sum_of_lanes<T>(sum);
 }
 
 template <class T>
-void multiply_rows(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, T* scratch, int begin, int end) {
-  const int lanes = lanes_of<T>();
-  for (int row = begin - 1; row <= end; ++row) {
-    product_row(g, k, scratch_row(g, scratch, row), row, row >= begin && row < end);
-    const int done = row - 1;
-    if (done < begin) continue;
-    const ScratchRow<T> below = scratch_row(g, scratch, done - 1), here = scratch_row(g, scratch, done),
-                        above = scratch_row(g, scratch, row);
-    Lane<T> sum = hn::Zero(Tag<T>());
-    for (int c = 0; c < g.width; c += lanes) {
-      const std::ptrdiff_t p = g.at(done) + c;
-      const Lane3<T> q = scale(load(g.mobile + p), add(load3(g.q, p), collect(below, here, above, c)));
-      store3(q, g.q, p);
-      sum = add_dot<T>(q, load3(g.p, p), sum);
-    }
-    g.partial[done] = sum_of_lanes<T>(sum);
+void multiply_rows(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, int begin, int end) {
+  const Turn<T> turn;
+  if (begin == end) return;
+  if (begin == 0) {
+    for (std::ptrdiff_t p = g.at(0); p < g.at(1); p += g.lanes) store3(zero3<T>(), g.q, p);
   }
+  for (int row = begin > 0 ? begin - 1 : 0; row <= end && row < g.rows; ++row)
+    product_row(g, k, turn, row_part(row, begin, end));
+  if (end == g.rows) finish_product(g, end - 1);
 }
 
 /// A symmetric 3 x 3 block in every lane: xx, xy, xz, yy, yz, zz.
@@ -79,20 +94,6 @@ template <class T>
 struct Block {
   Lane<T> xx, xy, xz, yy, yz, zz;
 };
-template <class T>
-HWY_INLINE Block<T> load_block(T* const* field, std::ptrdiff_t at) {
-  return {load(field[0] + at), load(field[1] + at), load(field[2] + at),
-          load(field[3] + at), load(field[4] + at), load(field[5] + at)};
-}
-template <class T>
-HWY_INLINE void store_block(const Block<T>& b, T* const* field, std::ptrdiff_t at) {
-  store(b.xx, field[0] + at);
-  store(b.xy, field[1] + at);
-  store(b.xz, field[2] + at);
-  store(b.yy, field[3] + at);
-  store(b.yz, field[4] + at);
-  store(b.zz, field[5] + at);
-}
 /// b + s a a^T
 template <class T, class V>
 HWY_INLINE Block<T> add_outer(V s, const Lane3<T>& a, const Block<T>& b) {
@@ -123,56 +124,87 @@ HWY_INLINE Block<T> zero_block() {
 
 /// The diagonal block of A at a node, without what only one of the line solves adds.
 template <class T>
-HWY_INLINE Block<T> diagonal(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, std::ptrdiff_t p) {
-  const std::ptrdiff_t S = g.stride;
-  const Lane<T> side = hn::Add(hn::Add(load(g.weft_side + p), load(g.weft_side + p - 1)),
+HWY_INLINE Block<T> diagonal(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, const Place<T>& at) {
+  const std::ptrdiff_t S = g.stride, p = at.p;
+  const Lane<T> side = hn::Add(hn::Add(load(g.weft_side + p), at.west(g.weft_side)),
                                hn::Add(load(g.warp_side + p), load(g.warp_side + p - S)));
-  const Lane<T> cells = hn::Add(hn::Add(load(g.twist_area + p), load(g.twist_area + p - 1)),
-                                hn::Add(load(g.twist_area + p - S), load(g.twist_area + p - S - 1)));
+  const Lane<T> cells = hn::Add(hn::Add(load(g.twist_area + p), at.west(g.twist_area)),
+                                hn::Add(load(g.twist_area + p - S), at.west(g.twist_area, -S)));
   Block<T> b =
       add_isotropic(hn::MulAdd(set(k.twist), cells, hn::Add(side, load(g.ground + p))), zero_block<T>());
   b = add_outer(load3(g.weft_axis, p), b);
-  b = add_outer(load3(g.weft_axis, p - 1), b);
+  b = add_outer(at.west3(g.weft_axis), b);
   b = add_outer(load3(g.warp_axis, p), b);
   b = add_outer(load3(g.warp_axis, p - S), b);
   // The middle of a triple moves D by -2, an end by 1.
   Lane<T> middle = hn::Add(load(g.weft_stiff + p), load(g.warp_stiff + p));
   if (g.cross_stiff != nullptr) middle = hn::MulAdd(set(T(2)), load(g.cross_stiff + p), middle);
-  b = add_outer(hn::MulAdd(set(T(4)), middle, load(g.air + p)), load3(g.normal, p), b);
-  b = add_outer(load(g.weft_stiff + p - 1), load3(g.normal, p - 1), b);
-  b = add_outer(load(g.weft_stiff + p + 1), load3(g.normal, p + 1), b);
-  b = add_outer(load(g.warp_stiff + p - S), load3(g.normal, p - S), b);
-  b = add_outer(load(g.warp_stiff + p + S), load3(g.normal, p + S), b);
+  middle = hn::Mul(set(T(4)), middle);
+  if (g.air != nullptr) middle = hn::Add(middle, load(g.air + p));
+  b = add_outer(middle, load3(g.normal, p), b);
   b = add_outer(load3(g.shear_plus, p), b);
-  b = add_outer(load3(g.shear_minus, p - 1), b);
+  b = add_outer(at.west3(g.shear_minus), b);
   b = add_outer(load3(g.shear_minus, p - S), b);
-  return add_outer(load3(g.shear_plus, p - S - 1), b);
+  return add_outer(at.west3(g.shear_plus, -S), b);
 }
 
-/// What the line solve of one direction adds to the diagonal: a triple couples its two ends, which a
-/// tridiagonal line leaves out; put on both ends instead, the line stays positive definite.
+/// What the triples along one yarn put on both their ends, `share` times.
 template <class T>
-HWY_INLINE Block<T> add_ends(const ImplicitGrid<T>& g, const T* stiff, std::ptrdiff_t p, std::ptrdiff_t next,
-                             const Block<T>& b) {
-  return add_outer(load(stiff + p - next), load3(g.normal, p - next),
-                   add_outer(load(stiff + p + next), load3(g.normal, p + next), b));
+HWY_INLINE Block<T> add_ends(Lane<T> before, const Lane3<T>& n_before, Lane<T> after, const Lane3<T>& n_after,
+                             T share, const Block<T>& b) {
+  return add_outer(hn::Mul(set(share), before), n_before, add_outer(hn::Mul(set(share), after), n_after, b));
 }
 
-/// Coupling of a node to the next one of its yarn, taken positive.
+/// Coupling of a node to the next one of its yarn, taken positive. @param next stiffness and normal there
 template <class T>
-HWY_INLINE Block<T> link(const ImplicitGrid<T>& g, const Field3<T>& axis, const T* side, const T* stiff,
-                         std::ptrdiff_t p, std::ptrdiff_t next) {
+HWY_INLINE Block<T> link(const Lane3<T>& axis, Lane<T> side, Lane<T> stiff, const Lane3<T>& n,
+                         Lane<T> next_stiff, const Lane3<T>& next_n, Lane<T> both_mobile) {
   const Lane<T> two = set(T(2));
-  Block<T> b = add_outer(load3(axis, p), add_isotropic(load(side + p), zero_block<T>()));
-  b = add_outer(hn::Mul(two, load(stiff + p)), load3(g.normal, p), b);
-  b = add_outer(hn::Mul(two, load(stiff + p + next)), load3(g.normal, p + next), b);
-  return scale_block(hn::Mul(load(g.mobile + p), load(g.mobile + p + next)), b);
+  Block<T> b = add_outer(axis, add_isotropic(side, zero_block<T>()));
+  b = add_outer(hn::Mul(two, stiff), n, b);
+  b = add_outer(hn::Mul(two, next_stiff), next_n, b);
+  return scale_block(both_mobile, b);
 }
 
 /// Nodes that are not mobile get the unit block.
 template <class T>
 HWY_INLINE Block<T> only_mobile(Lane<T> mobile, const Block<T>& b) {
   return add_isotropic(hn::Sub(set(T(1)), mobile), scale_block(mobile, b));
+}
+
+/// The blocks of a vector of nodes for both line solves.
+template <class T>
+struct LineBlocks {
+  Block<T> weft, warp, weft_link, warp_link;
+};
+/// A triple couples its two ends, which a tridiagonal line leaves out; put on both ends instead (twice, in
+/// the line of its own direction), the line stays positive definite.
+template <class T>
+HWY_INLINE LineBlocks<T> line_blocks(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k,
+                                     const Place<T>& at, bool links) {
+  const std::ptrdiff_t S = g.stride, p = at.p;
+  const Lane<T> moves = mobile(g, p), east_area = at.east(g.node_area);
+  const Block<T> shared = diagonal(g, k, at);
+  const Lane3<T> n = load3(g.normal, p), n_west = at.west3(g.normal), n_east = at.east3(g.normal);
+  const Lane3<T> n_south = load3(g.normal, p - S), n_north = load3(g.normal, p + S);
+  const Lane<T> k_west = at.west(g.weft_stiff), k_east = at.east(g.weft_stiff);
+  const Lane<T> k_south = load(g.warp_stiff + p - S), k_north = load(g.warp_stiff + p + S);
+  const T own = links ? T(2) : T(1);
+  LineBlocks<T> b;
+  b.weft = add_ends<T>(k_west, n_west, k_east, n_east, own,
+                       add_ends<T>(k_south, n_south, k_north, n_north, T(1), shared));
+  b.warp = add_ends<T>(k_west, n_west, k_east, n_east, T(1),
+                       add_ends<T>(k_south, n_south, k_north, n_north, own, shared));
+  b.weft = only_mobile<T>(moves, b.weft);
+  b.warp = only_mobile<T>(moves, b.warp);
+  b.weft_link = b.warp_link = zero_block<T>();
+  if (!links) return b;
+  const Lane<T> east_moves = hn::IfThenElseZero(hn::Gt(east_area, hn::Zero(Tag<T>())), moves);
+  b.weft_link = link(load3(g.weft_axis, p), load(g.weft_side + p), load(g.weft_stiff + p), n, k_east, n_east,
+                     east_moves);
+  b.warp_link = link(load3(g.warp_axis, p), load(g.warp_side + p), load(g.warp_stiff + p), n, k_north,
+                     n_north, hn::Mul(moves, mobile(g, p + S)));
+  return b;
 }
 
 #if HWY_TARGET == HWY_SCALAR
@@ -257,35 +289,49 @@ HWY_INLINE void store_transposed(const T* tile, std::ptrdiff_t pitch, T* to, std
 template <class T>
 inline constexpr int kTile = static_cast<int>(kVectorBytes / sizeof(T));
 
+/// The fields of a block of the line storage.
+template <class T>
+HWY_INLINE Block<T> load_line(const T* at) {
+  const int N = lanes_of<T>();
+  return {load(at), load(at + N), load(at + 2 * N), load(at + 3 * N), load(at + 4 * N), load(at + 5 * N)};
+}
+template <class T>
+HWY_INLINE void store_line(const Block<T>& b, T* at, std::ptrdiff_t pitch) {
+  store(b.xx, at);
+  store(b.xy, at + pitch);
+  store(b.xz, at + 2 * pitch);
+  store(b.yy, at + 3 * pitch);
+  store(b.yz, at + 4 * pitch);
+  store(b.zz, at + 5 * pitch);
+}
+
 template <class T>
 void assemble_vectors(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, bool links, int begin,
                       int end) {
-  const int lanes = lanes_of<T>();
-  HWY_ALIGN T tile[12][kTile<T> * kTile<T>];
-  for (int r0 = begin * lanes; r0 < end * lanes; r0 += lanes) {
-    for (int c = 0; c < g.width; c += lanes) {
+  const int lanes = g.lanes;
+  const Turn<T> turn;
+  HWY_ALIGN T tile[kLineFields][kTile<T> * kTile<T>];
+  constexpr std::ptrdiff_t kTileSize = kTile<T> * kTile<T>;
+  for (int rows = begin; rows < end; ++rows) {
+    for (int v = 0; v < g.vectors; ++v) {
       for (int i = 0; i < lanes; ++i) {
-        const std::ptrdiff_t p = g.at(r0 + i) + c;
-        const Lane<T> mobile = load(g.mobile + p);
-        const Block<T> shared = diagonal(g, k, p);
-        Block<T> weft = shared, warp = shared, weft_link = zero_block<T>(), warp_link = zero_block<T>();
-        if (links) {
-          weft = add_ends(g, g.weft_stiff, p, 1, shared);
-          warp = add_ends(g, g.warp_stiff, p, g.stride, shared);
-          weft_link = link(g, g.weft_axis, g.weft_side, g.weft_stiff, p, 1);
-          warp_link = link(g, g.warp_axis, g.warp_side, g.warp_stiff, p, g.stride);
+        const int row = rows * lanes + i;
+        T* const line = tile[0] + i * kTile<T>;
+        if (row >= g.rows) {
+          store_line(add_isotropic(set(T(1)), zero_block<T>()), line, kTileSize);
+          store_line(zero_block<T>(), line + 6 * kTileSize, kTileSize);
+          continue;
         }
-        store_block(only_mobile<T>(mobile, warp), g.warp_inverse, p);
-        store_block(warp_link, g.warp_link, p);
-        T* rows[12];
-        for (int f = 0; f < 12; ++f) rows[f] = tile[f] + i * kTile<T>;
-        store_block(only_mobile<T>(mobile, weft), rows, 0);
-        store_block(weft_link, rows + 6, 0);
+        const LineBlocks<T> b = line_blocks(g, k, Place<T>(g, turn, row, v), links);
+        store_line(b.warp, g.warp_lines + g.warp_line(v, row), lanes);
+        store_line(b.warp_link, g.warp_lines + g.warp_line(v, row) + 6 * lanes, lanes);
+        store_line(b.weft, line, kTileSize);
+        store_line(b.weft_link, line + 6 * kTileSize, kTileSize);
       }
-      for (int f = 0; f < 6; ++f) {
-        store_transposed(tile[f], kTile<T>, g.weft_inverse_t[f] + g.at_t(c) + r0, g.stride_t);
-        store_transposed(tile[f + 6], kTile<T>, g.weft_link_t[f] + g.at_t(c) + r0, g.stride_t);
-      }
+      // The columns of a vector lie g.vectors apart.
+      T* const to = g.weft_lines + g.weft_line(rows, v);
+      for (int f = 0; f < kLineFields; ++f)
+        store_transposed<T>(tile[f], kTile<T>, to + f * lanes, g.weft_line(0, g.vectors));
     }
   }
 }

@@ -11,6 +11,7 @@
 #define FUAI_IMPLICIT_LINES_INL_H
 #endif
 
+#include <algorithm>
 #include <type_traits>
 
 #include "fuai/solver/implicit_linear-inl.h"
@@ -83,21 +84,19 @@ HWY_INLINE void in_groups(int begin, int end, const Work& work) {
   for (; i < end; ++i) work(i, std::integral_constant<int, 1>());
 }
 
-/// Factors `count` nodes of kCount vectors of lines, the first at `start`, the next node `pitch` numbers on.
+/// Factors `count` nodes of kCount vectors of lines; `pitch` numbers from one vector of lines to the next.
 template <int kCount, class T>
-HWY_INLINE void factor_lines(T* const* inverse, T* const* link, std::ptrdiff_t start, std::ptrdiff_t pitch,
-                             int count) {
+HWY_INLINE void factor_lines(T* lines, std::ptrdiff_t pitch, int count) {
   const int lanes = lanes_of<T>();
   Block<T> e[kCount];
-  for (int v = 0; v < kCount; ++v) {
-    e[v] = invert(load_block(inverse, start + v * lanes));
-    store_block(e[v], inverse, start + v * lanes);
-  }
-  for (int i = 1; i < count; ++i) {
+  for (int v = 0; v < kCount; ++v) e[v] = zero_block<T>();
+  for (int i = 0; i < count; ++i) {
+    T* const node = lines + i * (kLineFields * lanes);
     for (int v = 0; v < kCount; ++v) {
-      const std::ptrdiff_t p = start + i * pitch + v * lanes;
-      e[v] = invert(subtract_sandwich(load_block(inverse, p), load_block(link, p - pitch), e[v]));
-      store_block(e[v], inverse, p);
+      T* const at = node + v * pitch;
+      const Block<T> d = load_line(at);
+      e[v] = invert(i == 0 ? d : subtract_sandwich(d, load_line(at - 6 * lanes), e[v]));
+      store_line(e[v], at, lanes);
     }
   }
 }
@@ -105,95 +104,163 @@ HWY_INLINE void factor_lines(T* const* inverse, T* const* link, std::ptrdiff_t s
 template <class T>
 void factor_warp_vectors(const ImplicitGrid<T>& g, int begin, int end) {
   in_groups(begin, end, [&](int i, auto count) HWY_ATTR {
-    factor_lines<decltype(count)::value>(g.warp_inverse, g.warp_link, g.at(0) + i * lanes_of<T>(), g.stride,
-                                         g.rows);
+    factor_lines<decltype(count)::value>(g.warp_lines + g.warp_line(i, 0), g.warp_line(1, 0), g.rows);
   });
 }
 template <class T>
 void factor_weft_vectors(const ImplicitGrid<T>& g, int begin, int end) {
   in_groups(begin, end, [&](int i, auto count) HWY_ATTR {
-    factor_lines<decltype(count)::value>(g.weft_inverse_t, g.weft_link_t, g.at_t(0) + i * lanes_of<T>(),
-                                         g.stride_t, g.columns);
+    factor_lines<decltype(count)::value>(g.weft_lines + g.weft_line(i, 0), g.weft_line(1, 0), g.columns);
   });
 }
 
-/// Solves kCount vectors of lines: `from` and `to` may be the same field.
-template <int kCount, class T>
-HWY_INLINE void solve_lines(T* const* inverse, T* const* link, const Field3<T>& from, const Field3<T>& to,
-                            std::ptrdiff_t start, std::ptrdiff_t pitch, int count) {
+/// Solves kCount vectors of warp lines beside one another; force -= alpha q on the way there.
+template <int kCount, bool kAdvance, class T>
+HWY_INLINE void solve_warp_lines(const ImplicitGrid<T>& g, T alpha, int first) {
   const int lanes = lanes_of<T>();
+  const std::ptrdiff_t column = g.at(0) + static_cast<std::ptrdiff_t>(first) * lanes;
+  const T* const lines = g.warp_lines + g.warp_line(first, 0);
+  const std::ptrdiff_t pitch = g.warp_line(1, 0);
   Lane3<T> w[kCount];
+  Lane<T> sum[kCount];
   for (int v = 0; v < kCount; ++v) {
-    w[v] = apply(load_block(inverse, start + v * lanes), load3(from, start + v * lanes));
-    store3(w[v], to, start + v * lanes);
+    w[v] = zero3<T>();
+    sum[v] = hn::Zero(Tag<T>());
   }
-  for (int i = 1; i < count; ++i) {
+  for (int row = 0; row < g.rows; ++row) {
+    const T* const node = lines + row * (kLineFields * lanes);
     for (int v = 0; v < kCount; ++v) {
-      const std::ptrdiff_t p = start + i * pitch + v * lanes;
-      w[v] = apply(load_block(inverse, p), apply_add(load_block(link, p - pitch), w[v], load3(from, p)));
-      store3(w[v], to, p);
-    }
-  }
-  for (int i = count - 2; i >= 0; --i) {
-    for (int v = 0; v < kCount; ++v) {
-      const std::ptrdiff_t p = start + i * pitch + v * lanes;
-      w[v] = apply_add(load_block(inverse, p), apply(load_block(link, p), w[v]), load3(to, p));
-      store3(w[v], to, p);
-    }
-  }
-}
-
-template <class T>
-void solve_warp_vectors(const ImplicitGrid<T>& g, int begin, int end) {
-  in_groups(begin, end, [&](int i, auto count) HWY_ATTR {
-    solve_lines<decltype(count)::value>(g.warp_inverse, g.warp_link, g.force, g.q,
-                                        g.at(0) + i * lanes_of<T>(), g.stride, g.rows);
-  });
-}
-
-template <class T>
-void solve_weft_vectors(const ImplicitGrid<T>& g, int begin, int end) {
-  const int lanes = lanes_of<T>();
-  const Field3<T>& from = g.force;
-  const Field3<T>& to = g.line_t;
-  for (int c = 0; c < g.columns; c += lanes) {
-    for (int r0 = begin * lanes; r0 < end * lanes; r0 += lanes) {
-      const std::ptrdiff_t p = g.at(r0) + c, t = g.at_t(c) + r0;
-      store_transposed(from.x + p, g.stride, to.x + t, g.stride_t);
-      store_transposed(from.y + p, g.stride, to.y + t, g.stride_t);
-      store_transposed(from.z + p, g.stride, to.z + t, g.stride_t);
-    }
-  }
-  in_groups(begin, end, [&](int i, auto count) HWY_ATTR {
-    solve_lines<decltype(count)::value>(g.weft_inverse_t, g.weft_link_t, to, to, g.at_t(0) + i * lanes,
-                                        g.stride_t, g.columns);
-  });
-}
-
-template <class T>
-void average_vectors(const ImplicitGrid<T>& g, int begin, int end) {
-  const int lanes = lanes_of<T>();
-  HWY_ALIGN T tile[3][kTile<T> * kTile<T>];
-  for (int i = begin; i < end; ++i) {
-    const int r0 = i * lanes;
-    Lane<T> sums[kTile<T>];
-    for (int j = 0; j < lanes; ++j) sums[j] = hn::Zero(Tag<T>());
-    for (int c = 0; c < g.width; c += lanes) {
-      const std::ptrdiff_t t = g.at_t(c) + r0;
-      store_transposed(g.line_t.x + t, g.stride_t, tile[0], lanes);
-      store_transposed(g.line_t.y + t, g.stride_t, tile[1], lanes);
-      store_transposed(g.line_t.z + t, g.stride_t, tile[2], lanes);
-      for (int j = 0; j < lanes; ++j) {
-        const std::ptrdiff_t p = g.at(r0 + j) + c;
-        const Lane3<T> weft = {load(tile[0] + j * lanes), load(tile[1] + j * lanes),
-                               load(tile[2] + j * lanes)};
-        const Lane3<T> z = scale(set(T(0.5)), add(weft, load3(g.q, p)));
-        store3(z, g.q, p);
-        sums[j] = add_dot<T>(z, load3(g.force, p), sums[j]);
+      const std::ptrdiff_t p = column + row * g.stride + v * lanes;
+      const T* const at = node + v * pitch;
+      Lane3<T> f = load3(g.force, p);
+      if constexpr (kAdvance) {
+        f = neg_mul_add(set(alpha), load3(g.q, p), f);
+        store3(f, g.force, p);
+        sum[v] = add_dot<T>(f, f, sum[v]);
       }
+      w[v] = apply(load_line(at), row == 0 ? f : apply_add(load_line(at - 6 * lanes), w[v], f));
+      store3(w[v], g.q, p);
     }
-    for (int j = 0; j < lanes; ++j) g.partial[r0 + j] = sum_of_lanes<T>(sums[j]);
   }
+  for (int row = g.rows - 2; row >= 0; --row) {
+    const T* const node = lines + row * (kLineFields * lanes);
+    for (int v = 0; v < kCount; ++v) {
+      const std::ptrdiff_t p = column + row * g.stride + v * lanes;
+      const T* const at = node + v * pitch;
+      w[v] = apply_add(load_line(at), apply(load_line(at + 6 * lanes), w[v]), load3(g.q, p));
+      store3(w[v], g.q, p);
+    }
+  }
+  for (int v = 0; v < kCount; ++v) g.partial[first + v] = kAdvance ? sum_of_lanes<T>(sum[v]) : 0.0;
+}
+
+template <class T>
+void solve_warp_vectors(const ImplicitGrid<T>& g, T alpha, int begin, int end) {
+  in_groups(begin, end, [&](int i, auto count) HWY_ATTR {
+    if (alpha != T(0)) {
+      solve_warp_lines<decltype(count)::value, true>(g, alpha, i);
+    } else {
+      solve_warp_lines<decltype(count)::value, false>(g, alpha, i);
+    }
+  });
+}
+
+/// Vectors of weft lines beside one another: two keep the turned columns within the nearest cache.
+inline constexpr int kWeftBeside = 2;
+
+/// Numbers of scratch of the weft lines: the turned force and solution.
+template <class T>
+HWY_INLINE std::ptrdiff_t weft_scratch(const ImplicitGrid<T>& g) {
+  return 3 * static_cast<std::ptrdiff_t>(g.stride) * g.lanes;
+}
+
+/// Turns `force` of a vector of rows into columns: three vectors a column, one after the other.
+template <class T>
+HWY_INLINE void turn_in(const ImplicitGrid<T>& g, int row, T* to) {
+  const int lanes = g.lanes;
+  for (int v = 0; v < g.vectors; ++v) {
+    const std::ptrdiff_t p = g.at(row) + v * lanes;
+    T* const first = to + v * 3 * lanes;
+    const std::ptrdiff_t pitch = static_cast<std::ptrdiff_t>(g.vectors) * 3 * lanes;
+    store_transposed<T>(g.force.x + p, g.stride, first, pitch);
+    store_transposed<T>(g.force.y + p, g.stride, first + lanes, pitch);
+    store_transposed<T>(g.force.z + p, g.stride, first + 2 * lanes, pitch);
+  }
+}
+
+template <class T>
+HWY_INLINE Lane3<T> load_turned(const T* at) {
+  const int N = lanes_of<T>();
+  return {load(at), load(at + N), load(at + 2 * N)};
+}
+template <class T>
+HWY_INLINE void store_turned(const Lane3<T>& a, T* at) {
+  const int N = lanes_of<T>();
+  store(a.x, at);
+  store(a.y, at + N);
+  store(a.z, at + 2 * N);
+}
+
+template <int kCount, class T>
+HWY_INLINE void solve_weft_lines(const ImplicitGrid<T>& g, int first, T* turned) {
+  const int lanes = lanes_of<T>();
+  const T* const lines = g.weft_lines + g.weft_line(first, 0);
+  const std::ptrdiff_t pitch = g.weft_line(1, 0), next = weft_scratch(g);
+  Lane3<T> w[kCount];
+  for (int v = 0; v < kCount; ++v) w[v] = zero3<T>();
+  for (int c = 0; c < g.columns; ++c) {
+    for (int v = 0; v < kCount; ++v) {
+      const T* const at = lines + c * (kLineFields * lanes) + v * pitch;
+      T* const to = turned + v * next + c * 3 * lanes;
+      const Lane3<T> f = load_turned(to);
+      w[v] = apply(load_line(at), c == 0 ? f : apply_add(load_line(at - 6 * lanes), w[v], f));
+      store_turned(w[v], to);
+    }
+  }
+  for (int c = g.columns - 2; c >= 0; --c) {
+    for (int v = 0; v < kCount; ++v) {
+      const T* const at = lines + c * (kLineFields * lanes) + v * pitch;
+      T* const to = turned + v * next + c * 3 * lanes;
+      w[v] = apply_add(load_line(at), apply(load_line(at + 6 * lanes), w[v]), load_turned<T>(to));
+      store_turned(w[v], to);
+    }
+  }
+}
+
+/// q = (q + turned) / 2 in a vector of rows, and their sums of force.q.
+template <class T>
+HWY_INLINE void turn_back(const ImplicitGrid<T>& g, int row, const T* turned) {
+  const int lanes = g.lanes;
+  HWY_ALIGN T tile[3][kTile<T> * kTile<T>];
+  Lane<T> sums[kTile<T>];
+  for (int j = 0; j < lanes; ++j) sums[j] = hn::Zero(Tag<T>());
+  const int kept = std::min(lanes, g.rows - row);
+  for (int v = 0; v < g.vectors; ++v) {
+    const T* const first = turned + v * 3 * lanes;
+    const std::ptrdiff_t pitch = static_cast<std::ptrdiff_t>(g.vectors) * 3 * lanes;
+    for (int f = 0; f < 3; ++f) store_transposed<T>(first + f * lanes, pitch, tile[f], lanes);
+    for (int j = 0; j < kept; ++j) {
+      const std::ptrdiff_t p = g.at(row + j) + v * lanes;
+      const Lane3<T> weft = {load(tile[0] + j * lanes), load(tile[1] + j * lanes), load(tile[2] + j * lanes)};
+      const Lane3<T> z = scale(set(T(0.5)), add(weft, load3(g.q, p)));
+      store3(z, g.q, p);
+      sums[j] = add_dot<T>(z, load3(g.force, p), sums[j]);
+    }
+  }
+  for (int j = 0; j < kept; ++j) g.partial[row + j] = sum_of_lanes<T>(sums[j]);
+}
+
+template <class T>
+void solve_weft_vectors(const ImplicitGrid<T>& g, T* scratch, int begin, int end) {
+  const auto work = [&](int i, auto count) HWY_ATTR {
+    constexpr int kCount = decltype(count)::value;
+    for (int v = 0; v < kCount; ++v) turn_in(g, (i + v) * g.lanes, scratch + v * weft_scratch(g));
+    solve_weft_lines<kCount>(g, i, scratch);
+    for (int v = 0; v < kCount; ++v) turn_back<T>(g, (i + v) * g.lanes, scratch + v * weft_scratch(g));
+  };
+  int i = begin;
+  for (; i + kWeftBeside <= end; i += kWeftBeside) work(i, std::integral_constant<int, kWeftBeside>());
+  for (; i < end; ++i) work(i, std::integral_constant<int, 1>());
 }
 
 }  // namespace HWY_NAMESPACE
