@@ -220,7 +220,8 @@ void report_side(Report& report, int side, int ticks) {
 void report_accuracy(Report& report, bool quick) {
   report.heading("Accuracy and time");
   report.paragraph(
-      "Taut patch: top row held with 5 % slack, the middle of the bottom row moved twice a second to and fro "
+      "The scene taut_patch: top row held with 5 % slack, the middle of the bottom row moved twice a second "
+      "to and fro "
       "with a tremor at 8 Hz. Root mean square error of the force at the moved node against the explicit "
       "oracle; single precision and one linearisation unless said.");
   report_side(report, 32, quick ? 300 : 500);

@@ -3,12 +3,12 @@
 #include "taut_patch.h"
 
 #include <array>
-#include <cmath>
-#include <numbers>
+#include <utility>
 
 #include "fuai/cloth/cloth_piece.h"
 #include "fuai/fabric/curve_table.h"
 #include "fuai/fabric/scalar_laws.h"
+#include "fuai/scenes/engine_scenes.h"
 #include "fuai/solver/implicit.h"
 
 namespace fuai_bench {
@@ -19,7 +19,6 @@ using namespace fuai;
 constexpr double kToe = 980.0, kGrowth = 1.764e5, kStraightFrom = 0.05;              // [N/m], [N/m], [-]
 constexpr double kShearStiffness = 56.0, kShearStick = 84.0, kShearFriction = 0.74;  // [N/m]
 constexpr double kBendingStiffness = 1e-5, kBendingStick = 1.6e-5, kBendingFriction = 2.45e-4;  // [N m], [N]
-constexpr double kSlack = 0.05;
 
 /// F = k x with one play element that sticks with `stick` and slips at `friction`.
 PlayLaw straight_law(double k, double stick, double friction, double range) {
@@ -46,21 +45,6 @@ PlayLaw tension_law() {
   return make_play_law(make_curve_table(-kStraightFrom, kStraightFrom, stress, outside),
                        make_curve_table(-kStraightFrom, kStraightFrom, no_friction, constant_outside()),
                        play);
-}
-
-/// Hanging from the top row, 5 % narrower than flat, in folds of eight spacings that grow from the top.
-void hang(const ClothModel& model, std::vector<Vec3>& positions) {
-  constexpr double kFold = 0.08;                                                           // wave length [m]
-  const double amplitude = kFold / std::numbers::pi * std::sqrt(kSlack / (1.0 - kSlack));  // of that slack
-  for (int row = 0; row < model.rows; ++row) {
-    const int below = model.rows - 1 - row;
-    const double grown = std::min(1.0, below / 8.0);
-    for (int column = 0; column < model.columns; ++column) {
-      const double x = (1.0 - kSlack) * column * model.spacing;
-      positions[static_cast<std::size_t>(model.slot(column, row))] =
-          Vec3(x, grown * amplitude * std::sin(2.0 * std::numbers::pi * x / kFold), -below * model.spacing);
-    }
-  }
 }
 
 }  // namespace
@@ -91,22 +75,20 @@ ClothModel bench_square(int side, const std::vector<int>& held) {
 ClothModel two_corner_square(int side) { return bench_square(side, {side * (side - 1), side * side - 1}); }
 
 Vec3 TautPatch::target(double time) const {
-  const double size = model.columns / 32.0;
-  const double swing = 0.5 * (1.0 - std::cos(2.0 * std::numbers::pi * 2.0 * time));
-  const double tremor = 1e-3 * std::sin(2.0 * std::numbers::pi * 8.0 * time);
-  return start.positions[static_cast<std::size_t>(grasp)] + size * swing * Vec3(0.06, 0.02, -0.004) +
-         Vec3(0.0, 0.0, tremor);
+  return start.positions[static_cast<std::size_t>(grasp)] +
+         (motion->hand(0, time).position - motion->hand(0, 0.0).position);
 }
 
 TautPatch make_taut_patch(int side) {
+  FabricLaws laws;  // the scene's own material is not used
+  laws.areal_mass = kArealMass;
+  EngineScene scene = fuai::make_taut_patch(laws, {side, kSpacing});
   TautPatch patch;
-  std::vector<int> held;
-  for (int column = 0; column < side; ++column) held.push_back((side - 1) * side + column);
   patch.material = bench_material();
   patch.grasp = side / 2;
-  patch.model = bench_square(side, held);
-  patch.start = make_cloth_state(patch.model);
-  hang(patch.model, patch.start.positions);
+  patch.model = std::move(scene.model);
+  patch.start = std::move(scene.start);
+  patch.motion = std::move(scene.motion);
   // Long steps damp the swing away.
   ImplicitOptions options;
   options.iterations = 100;

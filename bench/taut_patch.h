@@ -4,9 +4,11 @@
 // 2HG 1.5 gf/cm, B 1e-5 N m, 2HB 0.05 gf cm/cm.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "fuai/cloth/cloth_model.h"
+#include "fuai/scenes/engine_scene.h"
 #include "fuai/solver/cloth_material.h"
 
 namespace fuai_bench {
@@ -25,14 +27,15 @@ fuai::ClothModel bench_square(int side, const std::vector<int>& held);
 /// Held at the two corners of the top row. Thread class: set-up.
 fuai::ClothModel two_corner_square(int side);
 
-/// Top row held straight with 5 % slack across, the middle of the bottom row moved: a pull that goes to and
-/// fro twice a second, 60 mm aside, 4 mm down and 20 mm out at 32 nodes a side and in proportion at others,
-/// and a tremor of 1 mm at 8 Hz.
+/// The scene taut_patch of the catalogue in the cloth of the benches, at rest at first: its sheet, clamp and
+/// pull, but one node, the middle of the bottom row, moved instead of a fingertip, so that the force has no
+/// spring in it.
 struct TautPatch {
   fuai::ClothModel model;
   fuai::ClothMaterial material;
   int grasp = 0;           ///< slot
   fuai::ClothState start;  ///< hanging at rest, the grasp held where it hangs
+  std::unique_ptr<const fuai::SceneMotion> motion;
 
   /// Where the grasp is at a time after the start [m].
   fuai::Vec3 target(double time) const;
