@@ -98,6 +98,8 @@ bool bend_block(const HessianPoint& at, std::size_t slot, HessianBlock& block) {
   if (!(area[0] > 0.0) && !(area[1] > 0.0)) return false;
   const BendMeasure bend = measure_bend(m, at.positions, slot);
   if (!bend.valid) return false;
+  // Flat cloth that stays in its plane does not bend.
+  if (!at.axes[2] && bend.slope[0] == 0.0 && bend.slope[1] == 0.0) return false;
   collect(bend, slot, block);
   const std::array<const PlayLaw*, 2> laws{&at.material.weft_bending, &at.material.warp_bending};
   const std::array<const PlayState*, 2> memory{&at.state.weft_bending[slot], &at.state.warp_bending[slot]};
