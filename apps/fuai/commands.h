@@ -62,6 +62,16 @@ struct SimulateOptions {
 };
 int run_simulate(const Console& console, const SimulateOptions& options);
 
+struct KesCommandOptions {
+  std::string test;  ///< bending, tensile or shear
+  std::string fabric;
+  std::string direction;             ///< warp or weft; empty: warp, in shear both
+  std::string csv, plot;             ///< files; empty: none
+  std::vector<std::string> reverse;  ///< "OUT" or "OUT:BACK" in the unit of the test
+  std::string spacing;               ///< with unit; empty: the instrument's own
+};
+int run_kes(const Console& console, const KesCommandOptions& options);
+
 struct CantileverCommandOptions {
   std::string fabric;
   std::string direction = "warp";
