@@ -2,20 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <time.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
+#include "fuai/runtime/thread_clock.h"
+
 namespace fuai_bench {
 
-/// Time this thread has spent on a core [s]: what other programs take does not count. Thread class: any.
-inline double thread_seconds() noexcept {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
+using fuai::thread_seconds;
 
 /// Median and the two deciles of repeated measurements.
 struct Spread {

@@ -62,6 +62,16 @@ struct SimulateOptions {
 };
 int run_simulate(const Console& console, const SimulateOptions& options);
 
+struct KesCommandOptions {
+  std::string test;  ///< bending, tensile or shear
+  std::string fabric;
+  std::string direction;             ///< warp or weft; empty: warp, in shear both
+  std::string csv, plot;             ///< files; empty: none
+  std::vector<std::string> reverse;  ///< "OUT" or "OUT:BACK" in the unit of the test
+  std::string spacing;               ///< with unit; empty: the instrument's own
+};
+int run_kes(const Console& console, const KesCommandOptions& options);
+
 struct CantileverCommandOptions {
   std::string fabric;
   std::string direction = "warp";
@@ -71,5 +81,22 @@ struct CantileverCommandOptions {
   bool elastic = false;
 };
 int run_cantilever(const Console& console, const CantileverCommandOptions& options);
+
+struct DrapeCommandOptions {
+  std::string fabric;
+  std::string disc = "18cm";      ///< diameter with unit
+  std::string specimen = "30cm";  ///< diameter with unit
+  std::string spacing = "5mm";    ///< with unit
+  int runs = 5;                   ///< specimens
+  std::string path = "ramp";      ///< ramp, release, shakes or support
+  std::string solver = "implicit";
+  std::string loading = "2s";  ///< time with unit, of the ramp or of lowering the support
+  std::string linger;          ///< time with unit to go on at rest; empty: none
+  std::string out;             ///< folder; empty: no files
+  bool elastic = false;        ///< without friction
+  bool no_bands = false;       ///< assumptions are not tried
+  bool convergence = false;    ///< at other spacings too
+};
+int run_drape(const Console& console, const DrapeCommandOptions& options);
 
 }  // namespace fuai_app

@@ -41,6 +41,8 @@ struct Parsed {
   RenderOptions render;
   SimulateOptions simulate;
   CantileverCommandOptions cantilever;
+  DrapeCommandOptions drape;
+  KesCommandOptions kes;
   std::function<int(const Console&)> run;
 };
 
@@ -200,6 +202,70 @@ void add_cantilever_command(CLI::App& app, Parsed& parsed) {
       [&] { parsed.run = [&](const Console& c) { return run_cantilever(c, parsed.cantilever); }; });
 }
 
+void add_drape_command(CLI::App& app, Parsed& parsed) {
+  constexpr int kMostSpecimens = 1000;
+  DrapeCommandOptions& options = parsed.drape;
+  CLI::App* command =
+      app.add_subcommand("drape", "The drape test: drape coefficient, nodes, shadow, pictures, mesh");
+  command->add_option("FABRIC", options.fabric, "Bundled name or path of a fabric file")->required();
+  command->add_option("--disc", options.disc, "Diameter of the disc with unit")->capture_default_str();
+  command->add_option("--specimen", options.specimen, "Diameter of the cloth with unit")
+      ->capture_default_str();
+  command->add_option("--spacing", options.spacing, "Distance of the nodes with unit")->capture_default_str();
+  command->add_option("--runs", options.runs, "Specimens, each with a seed of its own")
+      ->check(CLI::Range(1, kMostSpecimens))
+      ->capture_default_str();
+  command
+      ->add_option("--path", options.path,
+                   "How the weight comes on: gravity ramp, sudden release, ramp and three shakes, lowered "
+                   "support")
+      ->check(CLI::IsMember({"ramp", "release", "shakes", "support"}))
+      ->capture_default_str();
+  command->add_option("--ramp", options.loading, "How long the weight, or the support, takes, e.g. 4s")
+      ->capture_default_str();
+  command->add_flag("--elastic", options.elastic, "Without friction: the elastic curves of the laws alone");
+  command->add_flag("--no-bands", options.no_bands, "Do not try the ends of what was assumed");
+  command->add_flag("--convergence", options.convergence,
+                    "At 2, 1.5, 1 and 0.75 times the spacing too, with a plot in --out");
+  command->add_option("--solver", options.solver, "implicit, or explicit: the oracle, minutes a specimen")
+      ->check(CLI::IsMember({"implicit", "explicit"}))
+      ->capture_default_str();
+  command->add_option("--linger", options.linger, "Goes on so long once the cloth rests, e.g. 2s");
+  command->add_option("--out", options.out, "Folder for shadow, pictures, mesh and tables");
+  command->footer(
+      "Examples:\n  fuai drape wool-tropical --out drape\n"
+      "  fuai drape polyester-faille --disc 12.7cm --specimen 25.4cm\n"
+      "  fuai --json --seed 7 drape graded-6 --runs 2 --elastic");
+  command->callback([&] { parsed.run = [&](const Console& c) { return run_drape(c, parsed.drape); }; });
+void add_kes_command(CLI::App& app, Parsed& parsed) {
+  KesCommandOptions& options = parsed.kes;
+  CLI::App* command = app.add_subcommand(
+      "kes", "A fabric in a virtual KES instrument: the loop, its parameters, and the fabric's beside them");
+  command->add_option("TEST", options.test, "bending (FB2), tensile or shear (FB1)")
+      ->check(CLI::IsMember({"bending", "tensile", "shear"}))
+      ->required();
+  command->add_option("FABRIC", options.fabric, "Bundled name or path of a fabric file")->required();
+  command
+      ->add_option("--direction", options.direction,
+                   "Yarns from clamp to clamp: warp or weft. Default: warp; in shear the mean of both")
+      ->check(CLI::IsMember({"warp", "weft"}));
+  command->add_option("--reverse", options.reverse,
+                      "Partial reversals on the way to the first stop, OUT or OUT:BACK in 1/cm, degrees or "
+                      "percent; BACK is 0, in tension no load, where it is left out");
+  command->add_option("--spacing", options.spacing,
+                      "Distance of the nodes with unit; must divide the specimen's length, 1 cm in bending, "
+                      "else 5 cm. Default: 2 mm in bending, 5 mm in shear, 1 cm in tension");
+  command->add_option("--csv", options.csv, "Write the simulated curve as a curve file");
+  command->add_option("--plot", options.plot,
+                      "Draw the simulated loop over the fabric's into FILE.png or FILE.svg");
+  command->footer(
+      "Examples:\n  fuai kes bending wool-tropical\n"
+      "  fuai kes shear wool-tropical --plot shear.png --csv shear.csv\n"
+      "  fuai --json kes tensile cupro-woven-su1098 --direction weft\n"
+      "  fuai kes bending polyester-faille --reverse 0.5 1 1.5:0.5 --plot minor.svg");
+  command->callback([&] { parsed.run = [&](const Console& c) { return run_kes(c, parsed.kes); }; });
+}
+
 /// Reads --config as CLI11 does, without the options that an environment variable states: CLI11 itself would
 /// let the file win.
 class FileBelowEnvironment : public CLI::ConfigTOML {
@@ -313,6 +379,8 @@ int parse_and_run(int argc, char** argv) {
   add_fabric_commands(app, parsed);
   add_scene_commands(app, parsed);
   add_cantilever_command(app, parsed);
+  add_drape_command(app, parsed);
+  add_kes_command(app, parsed);
   try {
     app.parse(argc, argv);
   } catch (const CLI::FileError& e) {

@@ -121,6 +121,7 @@ TEST_SUITE("crosscheck") {
     CHECK(fabric.tensile[0].EMT.value == doctest::Approx(0.0411).epsilon(0.01));
     REQUIRE(fabric.shear.curve.has_value());
     CHECK(fabric.shear.G.value > 0.0);
+    CHECK(fabric.shear.tension.value == 0.0);  // a bias strip shows the stress itself
     CHECK(fabric.areal_mass.value == doctest::Approx(0.1056));
     CHECK(fabric.thickness.value == doctest::Approx(1.04642e-4));
     CHECK_FALSE(fabric.compression.LC.has_value());

@@ -155,14 +155,17 @@ TEST_SUITE("unit") {
                    "\"bending.bias\": the file holds nothing that this describes"));
   }
 
-  TEST_CASE("additional keys: note, peak load, node count") {
+  TEST_CASE("additional keys: note, peak load, tension, node count") {
     std::string text = with("[weight]", "note = \"a \\\"note\\\"\"\n[weight]");
+    text.replace(text.find("[shear]"), 7, "[shear]\ntension_gf_per_cm = 0");
     text.replace(text.find("LT = 0.62"), 9, "LT = 0.62\npeak_load_gf_per_cm = 50");
     text.replace(text.find("disc_cm"), 7, "node_count = 6\ndisc_cm");
     const Fabric fabric = parse(text);
     CHECK(fabric.note == "a \"note\"");
     CHECK(fabric.tensile[0].peak_load.value == doctest::Approx(50 * 0.980665).epsilon(1e-14));
     CHECK(fabric.tensile[0].peak_load.provenance.source == "FB1");
+    CHECK(fabric.shear.tension.value == 0.0);  // unlike most numbers it may be zero
+    CHECK(fabric.shear.tension.provenance.source == "FB1");
     CHECK(fabric.drape.node_count.value == 6.0);
     CHECK(fabric.warnings.size() == 1);  // WT no longer fits
   }

@@ -24,16 +24,6 @@ constexpr AxisUnits kBendingUnits{unit::kPerCentimetre, unit::kGfCmPerCm};
 constexpr AxisUnits kShearUnits{unit::kDegree, unit::kGfPerCm};
 constexpr AxisUnits kTensileUnits{unit::kPercent, unit::kGfPerCm};
 
-/// An empty plot of a test with its axes.
-Plot plot_of(Test test) {
-  Plot plot;
-  plot.x_label = test == Test::kBending ? "curvature [1/cm]"
-                                        : (test == Test::kShear ? "shear angle [deg]" : "strain [%]");
-  plot.y_label = test == Test::kBending ? "moment [gf·cm/cm]"
-                                        : (test == Test::kShear ? "shear force [gf/cm]" : "force [gf/cm]");
-  return plot;
-}
-
 AxisUnits units_of(Test test) {
   return test == Test::kBending ? kBendingUnits : (test == Test::kShear ? kShearUnits : kTensileUnits);
 }
@@ -42,23 +32,7 @@ int colour_of(const MeasuredCurve& curve) {
   return curve.test == Test::kShear ? series_index(Direction::kBias) : series_index(curve.direction);
 }
 
-Series measured_series(const MeasuredCurve& curve, AxisUnits units, const std::string& label, int colour) {
-  Series series;
-  series.label = label;
-  series.colour = colour;
-  series.style = SeriesStyle::kPoints;
-  series.line_width = 1.0;
-  for (const CurveBranch& branch : curve.branches) {
-    for (const CurveSample& s : branch.samples) {
-      series.x.push_back(s.strain / units.strain);
-      series.y.push_back(s.stress / units.stress);
-    }
-  }
-  return series;
-}
-
-Series loop_series(const PlayLaw& law, double range, AxisUnits units, const std::string& label, int colour) {
-  const SteadyLoop loop = steady_loop(law, range);
+Series loop_series(const SteadyLoop& loop, AxisUnits units, const std::string& label, int colour) {
   Series series;
   series.label = label;
   series.colour = colour;
@@ -66,22 +40,6 @@ Series loop_series(const PlayLaw& law, double range, AxisUnits units, const std:
   for (std::size_t i = 0; i < loop.strain.size(); ++i) {
     series.x.push_back(loop.strain[i] / units.strain);
     series.y.push_back(loop.stress[i] / units.stress);
-  }
-  return series;
-}
-
-/// A curve as a line, branch by branch.
-Series branch_series(const MeasuredCurve& curve, AxisUnits units, const std::string& label, int colour) {
-  Series series;
-  series.label = label;
-  series.colour = colour;
-  for (const CurveBranch& branch : curve.branches) {
-    for (const CurveSample& s : branch.samples) {
-      series.x.push_back(s.strain / units.strain);
-      series.y.push_back(s.stress / units.stress);
-    }
-    series.x.push_back(kGap);
-    series.y.push_back(kGap);
   }
   return series;
 }
@@ -94,7 +52,40 @@ std::string law_label(const FabricLaws& laws, const std::string& law) {
   return {};
 }
 
+Series measured_series(const MeasuredCurve& curve, const std::string& label, int colour) {
+  Series series = curve_series(curve, label, SeriesStyle::kPoints, colour);
+  series.line_width = 1.0;
+  return series;
+}
+
 }  // namespace
+
+Plot test_plot(Test test) {
+  Plot plot;
+  plot.x_label = test == Test::kBending ? "curvature [1/cm]"
+                                        : (test == Test::kShear ? "shear angle [deg]" : "strain [%]");
+  plot.y_label = test == Test::kBending ? "moment [gf·cm/cm]"
+                                        : (test == Test::kShear ? "shear force [gf/cm]" : "force [gf/cm]");
+  return plot;
+}
+
+Series curve_series(const MeasuredCurve& curve, const std::string& label, SeriesStyle style, int colour) {
+  const AxisUnits units = units_of(curve.test);
+  Series series;
+  series.label = label;
+  series.colour = colour < 0 ? colour_of(curve) : colour;
+  series.style = style;
+  for (const CurveBranch& branch : curve.branches) {
+    for (const CurveSample& s : branch.samples) {
+      series.x.push_back(s.strain / units.strain);
+      series.y.push_back(s.stress / units.stress);
+    }
+    if (style == SeriesStyle::kPoints) continue;
+    series.x.push_back(kGap);
+    series.y.push_back(kGap);
+  }
+  return series;
+}
 
 SteadyLoop steady_loop(const PlayLaw& law, double range, int count) {
   SteadyLoop loop;
@@ -112,38 +103,41 @@ SteadyLoop steady_loop(const PlayLaw& law, double range, int count) {
 }
 
 Plot curve_and_prediction_plot(const MeasuredCurve& measured, const MeasuredCurve& predicted) {
-  Plot plot = plot_of(measured.test);
-  const AxisUnits units = units_of(measured.test);
-  plot.series = {measured_series(measured, units, "measured", 6),
-                 branch_series(predicted, units, "law, same path", colour_of(measured))};
+  Plot plot = test_plot(measured.test);
+  plot.series = {measured_series(measured, "measured", 6),
+                 curve_series(predicted, "law, same path", SeriesStyle::kLine, colour_of(measured))};
   return plot;
 }
 
 Plot bending_plot(const Fabric& fabric, const FabricLaws& laws) {
-  Plot plot = plot_of(Test::kBending);
+  Plot plot = test_plot(Test::kBending);
   plot.title = "Bending";
   for (Direction direction : {Direction::kWarp, Direction::kWeft}) {
     const auto i = static_cast<std::size_t>(direction);
     const int colour = series_index(direction);
     const std::string name = to_string(direction);
     if (fabric.bending[i].curve) {
-      plot.series.push_back(
-          measured_series(fabric.bending[i].curve->curve, kBendingUnits, name + ", measured", colour));
+      plot.series.push_back(measured_series(fabric.bending[i].curve->curve, name + ", measured", colour));
     }
-    plot.series.push_back(loop_series(laws.bending[i], kKesBendingRange, kBendingUnits,
+    plot.series.push_back(loop_series(steady_loop(laws.bending[i], kKesBendingRange), kBendingUnits,
                                       name + ", " + law_label(laws, "bending." + name), colour));
   }
   return plot;
 }
 
 Plot shear_plot(const Fabric& fabric, const FabricLaws& laws) {
-  Plot plot = plot_of(Test::kShear);
+  Plot plot = test_plot(Test::kShear);
   if (fabric.shear.curve) {
     const MeasuredCurve& curve = fabric.shear.curve->curve;
-    plot = curve_and_prediction_plot(curve, compare_cycles(laws.shear, curve).predicted);
+    plot = curve_and_prediction_plot(
+        curve, to_shear_force(compare_cycles(laws.shear, curve).predicted, laws.shear_test));
   } else {
-    plot.series.push_back(loop_series(laws.shear, kes_shear_range(), kShearUnits, law_label(laws, "shear"),
-                                      series_index(Direction::kBias)));
+    // As the test reads it: with the share of its tension.
+    SteadyLoop loop = steady_loop(laws.shear, kes_shear_range());
+    for (std::size_t i = 0; i < loop.strain.size(); ++i)
+      loop.stress[i] = shear_force(laws.shear_test, loop.stress[i], loop.strain[i]);
+    plot.series.push_back(
+        loop_series(loop, kShearUnits, law_label(laws, "shear"), series_index(Direction::kBias)));
   }
   plot.title = "Shear";
   return plot;
@@ -168,14 +162,14 @@ Plot tensile_plot(const Fabric& fabric, const FabricLaws& laws, Direction direct
   const auto i = static_cast<std::size_t>(direction);
   const std::string name = to_string(direction);
   const PlayLaw& law = laws.tensile[i];
-  Plot plot = plot_of(Test::kTensile);
+  Plot plot = test_plot(Test::kTensile);
   if (fabric.tensile[i].curve) {
     const MeasuredCurve& curve = fabric.tensile[i].curve->curve;
     plot = curve_and_prediction_plot(curve, compare_cycles(law, curve).predicted);
   } else {
     const MeasuredCurve cycle = compare_cycles(law, one_cycle(direction, law.elastic().high())).predicted;
     plot.series.push_back(
-        branch_series(cycle, kTensileUnits, law_label(laws, "tensile." + name), series_index(direction)));
+        curve_series(cycle, law_label(laws, "tensile." + name), SeriesStyle::kLine, series_index(direction)));
   }
   plot.title = "Tension, " + name;
   return plot;

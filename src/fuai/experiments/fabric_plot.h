@@ -25,6 +25,13 @@ PlotGrid fabric_plot(const Fabric& fabric, const FabricLaws& laws);
 /// Measured points and a prediction at the same strains as lines; axes by the test. Thread class: set-up.
 Plot curve_and_prediction_plot(const MeasuredCurve& measured, const MeasuredCurve& predicted);
 
+/// An empty plot with the axes of a test, in KES units. Thread class: set-up.
+Plot test_plot(Test test);
+
+/// A curve in the units of those axes; lines are interrupted between branches. Thread class: set-up.
+/// @param colour series_colour() number; -1: the colour of the curve's direction
+Series curve_series(const MeasuredCurve& curve, const std::string& label, SeriesStyle style, int colour = -1);
+
 /// A law's steady loop between -range and range, `count` samples a branch; strain and stress in SI.
 struct SteadyLoop {
   std::vector<double> strain, stress;  ///< rising branch, then falling branch

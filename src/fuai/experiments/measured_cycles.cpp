@@ -22,7 +22,9 @@ std::vector<MeasuredCycles> compare_all_measured_cycles() {
       const auto i = static_cast<std::size_t>(direction);
       add(std::string("tensile.") + to_string(direction), laws.tensile[i], fabric.tensile[i].curve);
     }
-    add("shear", laws.shear, fabric.shear.curve);
+    std::optional<KnownCurve> shear = fabric.shear.curve;
+    if (shear) shear->curve = to_shear_stress(shear->curve, laws.shear_test);
+    add("shear", laws.shear, shear);
   }
   return all;
 }

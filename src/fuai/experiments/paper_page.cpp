@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuai/experiments/paper_page.h"
 
-#include <algorithm>
 #include <cstdio>
-#include <mutex>
-#include <numeric>
 #include <string>
 
 #include "fuai/core/error.h"
 #include "fuai/experiments/paper_context.h"
 #include "fuai/runtime/parallel.h"
+#include "fuai/runtime/shared_progress.h"
 
 namespace fuai {
 namespace {
@@ -56,27 +54,6 @@ std::vector<std::unique_ptr<PaperFigure>> wanted_figures(int figure) {
   if (wanted(1)) figures.push_back(make_measured_cycles());
   return figures;
 }
-
-/// Mean progress of tasks that run side by side.
-class SharedProgress {
- public:
-  SharedProgress(const Progress& out, std::size_t count) : out_(out), fractions_(count, 0.0) {}
-
-  Progress of(std::size_t task, const std::string& name) {
-    if (!out_) return {};
-    return [this, task, name](std::string_view, double fraction) {
-      const std::scoped_lock lock(mutex_);
-      fractions_[task] = fraction;
-      out_(name, std::accumulate(fractions_.begin(), fractions_.end(), 0.0) /
-                     static_cast<double>(fractions_.size()));
-    };
-  }
-
- private:
-  const Progress& out_;
-  std::vector<double> fractions_;
-  std::mutex mutex_;
-};
 
 void run_tasks(const std::vector<PaperTask>& tasks, int threads, const Progress& progress) {
   SharedProgress shared(progress, tasks.size());

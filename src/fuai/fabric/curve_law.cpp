@@ -13,9 +13,6 @@
 namespace fuai {
 namespace {
 
-constexpr std::size_t kLoopNodes = 251;  // 0.02 1/cm over the KES bending range
-constexpr std::size_t kVirginNodes = 201;
-
 /// rms distance of the replayed law from the samples, over the peak of the measured stress.
 double replay_residual(const PlayLaw& law, const MeasuredCurve& curve) {
   const MeasuredCurve predicted = compare_cycles(law, curve).predicted;

@@ -10,6 +10,10 @@
 
 namespace fuai {
 
+/// Nodes on which a measured loop is taken: 0.02 1/cm over the KES bending range. And those of a virgin
+/// loading with its recovery.
+inline constexpr std::size_t kLoopNodes = 251, kVirginNodes = 201;
+
 /// A law and what was found while making it.
 struct CurveLaw {
   PlayLaw law;

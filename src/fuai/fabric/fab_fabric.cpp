@@ -146,6 +146,8 @@ void add_shear(const Context& c, const FabStretch& warp, const FabStretch& weft)
     first.cycle = 0;
     const ShearParameters p = compute_shear_parameters(shear.curve, first);
     ShearMeasurement& out = c.fabric.shear;
+    out.tension = {
+        0.0, {ProvenanceKind::kComputed, source, "the shear stress itself: no share of a tension in it"}};
     if (!std::isnan(p.G.face)) {
       out.G = {
           p.G.face,

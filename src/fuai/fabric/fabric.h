@@ -28,9 +28,11 @@ struct BendingMeasurement {
 
 /// KES-FB1 shear.
 struct ShearMeasurement {
-  Known G;                          ///< shear rigidity per width [N/(m rad)]
-  Known hysteresis_2HG;             ///< loop width at 0.5 degrees [N/m]
-  Known hysteresis_2HG5;            ///< loop width at 5 degrees [N/m]
+  Known G;                ///< shear rigidity per width [N/(m rad)]
+  Known hysteresis_2HG;   ///< loop width at 0.5 degrees [N/m]
+  Known hysteresis_2HG5;  ///< loop width at 5 degrees [N/m]
+  Known tension;  ///< constant tension of the test [N/m]; 0: the numbers are those of the shear stress
+                  ///< itself, without a tension's share; unknown: see shear_test_of()
   std::optional<KnownCurve> curve;  ///< shear force per width against shear angle
 };
 

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <iterator>
 
 #include "fuai/core/error.h"
 #include "fuai/fabric/assumptions.h"
 #include "fuai/fabric/curve_law.h"
 #include "fuai/fabric/scalar_laws.h"
+#include "fuai/fabric/shear_test.h"
 
 namespace fuai {
 namespace {
@@ -149,11 +151,23 @@ void make_bias_law(const Fabric& fabric, FabricLaws& laws) {
   laws.bending[bias] = make_bending_law(s.B, s.hysteresis, jamming);
 }
 
+/// How the test was done, in words; nothing where the file says it.
+void report_tension(const Fabric& fabric, const ShearTest& test, LawReport& report) {
+  if (test.tension == 0.0) return;
+  report.assumptions.push_back((fabric.shear.tension.has_value()
+                                    ? std::string("the share of the test's tension")
+                                    : std::string("measured under the 10 gf/cm of KES-FB1, whose share")) +
+                               " is taken off: see docs/theory/virtual-kes.md");
+}
+
 void make_shear_laws(const Fabric& fabric, FabricLaws& laws) {
   LawReport& report = add_report(laws, "shear");
   const ShearMeasurement& shear = fabric.shear;
+  ShearTest test = shear_test_of(fabric, laws.tensile);
+  laws.shear_test = test;
   if (shear.curve) {
-    take_curve(laws.shear, report, *shear.curve, 0.0);
+    take_curve(laws.shear, report, {to_shear_stress(shear.curve->curve, test), shear.curve->provenance}, 0.0);
+    report_tension(fabric, test, report);
     return;
   }
   report.origin = "scalars G, 2HG and 2HG5";
@@ -173,7 +187,14 @@ void make_shear_laws(const Fabric& fabric, FabricLaws& laws) {
     report.assumptions.emplace_back("2HG5 was not measured: taken equal to 2HG");
   }
   report.assumptions.emplace_back("play radii 0.1, 0.25 and 0.5 deg");
-  laws.shear = make_shear_law(G, near, far);
+  if (!shear.tension.has_value() && !(G > test.tension)) {
+    test = {};
+    report.assumptions.emplace_back(
+        "G is less than the 10 gf/cm of KES-FB1 alone would make it: taken as measured without tension");
+  }
+  report_tension(fabric, test, report);
+  laws.shear = make_shear_law(G, near, far, test);
+  laws.shear_test = test;
 }
 
 void make_tensile_laws(const Fabric& fabric, FabricLaws& laws) {
@@ -225,8 +246,12 @@ FabricLaws make_fabric_laws(const Fabric& fabric) {
   }
   make_bending_laws(fabric, laws);
   make_bias_law(fabric, laws);
+  // Shear was measured under tension and needs the tensile laws; the reports keep their order.
+  FabricLaws tensile;
+  make_tensile_laws(fabric, tensile);
+  laws.tensile = tensile.tensile;
   make_shear_laws(fabric, laws);
-  make_tensile_laws(fabric, laws);
+  std::ranges::move(tensile.reports, std::back_inserter(laws.reports));
   return laws;
 }
 

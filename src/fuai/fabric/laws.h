@@ -8,6 +8,7 @@
 
 #include "fuai/fabric/fabric.h"
 #include "fuai/fabric/play_law.h"
+#include "fuai/fabric/shear_test.h"
 
 namespace fuai {
 
@@ -26,7 +27,9 @@ struct FabricLaws {
   double thickness = 0.0;   ///< [m]
   std::array<PlayLaw, kDirectionCount>
       bending;                     ///< warp, weft, bias: moment per width [N] of curvature [1/m]
-  PlayLaw shear;                   ///< force per width [N/m] of shear angle [rad]
+  PlayLaw shear;                   ///< shear stress [N/m] of shear angle [rad], without a tension's share
+  ShearTest shear_test;            ///< how the shear numbers were measured: what to_shear_force() needs to
+                                   ///< compare the law with them
   std::array<PlayLaw, 2> tensile;  ///< warp, weft: force per width [N/m] of strain [-]
   std::vector<LawReport> reports;  ///< one a law, in the order above
 };

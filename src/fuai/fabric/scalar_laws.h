@@ -8,6 +8,7 @@
 
 #include "fuai/fabric/identify.h"
 #include "fuai/fabric/play_law.h"
+#include "fuai/fabric/shear_test.h"
 
 namespace fuai {
 
@@ -32,15 +33,18 @@ inline constexpr double kNoJamming = std::numeric_limits<double>::infinity();
 PlayLaw make_bending_law(double B, double hysteresis_2HB, double jamming_curvature,
                          std::span<const PlayElement> plays = kBendingPlays);
 
-/// Shear force = elastic line plus friction that grows linearly from 2HG / 2 (up to 0.5 degrees) to 2HG5 / 2
+/// Shear stress = elastic line plus friction that grows linearly from 2HG / 2 (up to 0.5 degrees) to 2HG5 / 2
 /// at 5 degrees and on to 8; constant beyond. The elastic slope is G less the growth of the friction, since G
-/// is read on the loading branch: G, 2HG and 2HG5 come back exactly. Play radii 0.1, 0.25, 0.5 degrees are
-/// assumed. Beyond 8 degrees the slope is kept; at 90 degrees warp and weft would coincide, so the force goes
-/// to infinity there.
-/// @param G [N/(m rad)]  @param hysteresis_2HG [N/m]  @param hysteresis_2HG5 [N/m]
-/// @throws Error (kBadInput) when the friction grows faster than G, or a value is negative. Thread class:
-/// set-up.
-PlayLaw make_shear_law(double G, double hysteresis_2HG, double hysteresis_2HG5);
+/// is read on the loading branch: G, 2HG and 2HG5 come back exactly when the test is done with the law. Where
+/// the recovery would fall while the angle grows, the friction grows after 2.5 degrees instead, and the
+/// loading branch steepens there. Play radii 0.1, 0.25, 0.5 degrees are assumed. Beyond 8 degrees the slope
+/// is kept; at 90 degrees warp and weft would coincide, so the stress goes to infinity there.
+/// @param G [N/(m rad)]  @param hysteresis_2HG [N/m]  @param hysteresis_2HG5 [N/m], all as the test reads
+/// them
+/// @param test how they were measured; the default: of the stress itself
+/// @throws Error (kBadInput) when G is not more than the tension's share, 2HG5 is out of all proportion to G,
+/// or a value is negative. Thread class: set-up.
+PlayLaw make_shear_law(double G, double hysteresis_2HG, double hysteresis_2HG5, const ShearTest& test = {});
 
 /// Tension from LT, RT, EMT and the peak load: loading and recovery are exponentials through zero and the
 /// peak with the linearities LT and RT LT, so that LT, WT = LT Fm EMT / 2 and RT come back. Virgin loading is

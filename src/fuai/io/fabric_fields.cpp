@@ -117,6 +117,8 @@ std::vector<FabricField> fabric_fields(Fabric& fabric) {
   add("", Kes::kG, fabric.shear.G);
   add("", Kes::k2HG, fabric.shear.hysteresis_2HG);
   add("", Kes::k2HG5, fabric.shear.hysteresis_2HG5);
+  setting("shear", "tension_gf_per_cm", "gf/cm", unit::kGfPerCm, FieldRange::kNotNegative,
+          fabric.shear.tension);
   for (std::size_t d = 0; d < fabric.tensile.size(); ++d) {
     TensileMeasurement& tensile = fabric.tensile[d];
     const std::string direction = to_string(static_cast<Direction>(d));

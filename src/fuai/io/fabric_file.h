@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Besides the keys of units/kes.h a file may hold: `note` at the top; `peak_load_gf_per_cm` in [tensile.*]
-// (default 500); `node_count`, `disc_cm` and `specimen_cm` in [drape]; `curve = "file.csv"` in [bending.*],
-// [shear], [tensile.*] and [compression], a path relative to the file that stays below its folder.
-// [provenance] names a block or a key, quoted: "bending", "bending.warp", "bending.warp.B_gf_cm2_per_cm",
-// "bending.warp.curve"; the most specific entry wins; each is { kind = "measured", source = "...", quality =
+// (default 500); `tension_gf_per_cm` in [shear] (default 10, or 0 with a curve in bias direction);
+// `node_count`, `disc_cm` and `specimen_cm` in [drape]; `curve = "file.csv"` in [bending.*], [shear],
+// [tensile.*] and [compression], a path relative to the file that stays below its folder. [provenance] names
+// a block or a key, quoted: "bending", "bending.warp", "bending.warp.B_gf_cm2_per_cm", "bending.warp.curve";
+// the most specific entry wins; each is { kind = "measured", source = "...", quality =
 // "..." }, quality optional.
 #pragma once
 

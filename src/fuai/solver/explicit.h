@@ -46,6 +46,9 @@ class SolverExplicit {
   void prepare(const ClothModel& model, const ClothMaterial& material, const ExplicitOptions& options = {},
                const AttachmentRoom& room = {});
 
+  /// Gravity of the next steps [m/s2], for a load that grows. Thread class: real-time.
+  void set_gravity(const Vec3& gravity) noexcept { options_.gravity = gravity; }
+
   /// One step.
   /// @param dt [s], > 0
   /// @param fixed_positions [m], where the fixed slots are at the end of the step, in the order of

@@ -1,0 +1,145 @@
+// `fuai kes`: a fabric in a virtual instrument.
+// SPDX-License-Identifier: Apache-2.0
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "commands.h"
+#include "fabric_text.h"
+#include "fuai/core/error.h"
+#include "fuai/io/curve_csv.h"
+#include "fuai/io/fabric_library.h"
+#include "fuai/io/text_file.h"
+#include "fuai/laboratory/kes_round_trip.h"
+#include "fuai/units/constants.h"
+#include "fuai/units/parse.h"
+
+namespace fuai_app {
+namespace {
+
+using namespace fuai;
+
+constexpr int kPlotWidth = 900, kPlotHeight = 640;  // [pt]
+
+Test test_of(const std::string& word) {
+  return word == "bending" ? Test::kBending : (word == "shear" ? Test::kShear : Test::kTensile);
+}
+
+/// SI value of the unit of a test's strain.
+double strain_unit(Test test) {
+  return test == Test::kBending ? unit::kPerCentimetre
+                                : (test == Test::kShear ? unit::kDegree : unit::kPercent);
+}
+
+double plain_number(std::string_view text, const std::string& whole) {
+  double value = 0.0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (code != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+    throw Error(ErrorKind::kUsage, "--reverse: '" + whole + "' is no reversal", {},
+                "write OUT or OUT:BACK, such as 1.5:0.5");
+  }
+  return value;
+}
+
+/// "1.5:0.5" or "1.5".
+KesReversal reversal_of(const std::string& text, Test test) {
+  const std::size_t colon = text.find(':');
+  KesReversal reversal;
+  reversal.out = plain_number(std::string_view(text).substr(0, colon), text) * strain_unit(test);
+  if (colon != std::string::npos)
+    reversal.back = plain_number(std::string_view(text).substr(colon + 1), text) * strain_unit(test);
+  if (!(reversal.out > reversal.back) || !(reversal.back >= 0.0)) {
+    throw Error(ErrorKind::kUsage, "--reverse: '" + text + "' does not turn back", {},
+                "OUT must be more than BACK, and BACK not below 0");
+  }
+  return reversal;
+}
+
+KesTest test_of(const KesCommandOptions& options) {
+  KesTest test;
+  test.test = test_of(options.test);
+  if (!options.direction.empty())
+    test.direction = options.direction == "weft" ? Direction::kWeft : Direction::kWarp;
+  for (const std::string& text : options.reverse) test.reversals.push_back(reversal_of(text, test.test));
+  if (!options.spacing.empty()) test.spacing = parse_value(options.spacing, kLength, "--spacing");
+  return test;
+}
+
+void check_plot_name(const std::string& name) {
+  if (name.empty() || name.ends_with(".svg") || name.ends_with(".png")) return;
+  throw Error(ErrorKind::kUsage, "--plot: cannot tell the kind of picture of '" + name + "'", {},
+              "end the name in .png or .svg");
+}
+
+JsonValue json_of(const std::vector<KesValue>& values) {
+  JsonValue json{JsonValue::Object{}};
+  for (const KesValue& v : values) {
+    const KesQuantity& q = kes_quantity(v.quantity);
+    json.set(std::string(q.key), v.value / q.to_si);
+  }
+  return json;
+}
+
+std::string direction_of(const KesTest& test) {
+  if (!test.direction && test.test == Test::kShear) return "mean";
+  return to_string(test.direction.value_or(Direction::kWarp));
+}
+
+void print(const Console& console, const Fabric& fabric, const KesRoundTrip& trip) {
+  const std::string direction = direction_of(trip.test);
+  console.line(fabric.name + ", " + to_string(trip.test.test) + ", " +
+               (direction == "mean" ? "mean of warp and weft" : direction));
+  console.line("  " + padded("symbol", 8) + padded("simulated", 12) + padded("fabric", 12) +
+               padded("difference", 12) + "unit");
+  for (std::size_t i = 0; i < trip.simulated.size(); ++i) {
+    const KesQuantity& q = kes_quantity(trip.simulated[i].quantity);
+    const double simulated = trip.simulated[i].value, own = trip.input[i].value;
+    const auto shown = [&](double value) {
+      return std::isnan(value) ? std::string("-") : format_number(value / q.to_si);
+    };
+    const double difference = 100.0 * (simulated - own) / own;
+    console.line("  " + padded(std::string(q.symbol), 8) + padded(shown(simulated), 12) +
+                 padded(shown(own), 12) +
+                 padded(std::isfinite(difference) ? format_number(difference) + " %" : "-", 12) +
+                 std::string(q.kes_unit));
+  }
+  console.line("loop: " + format_number(100.0 * trip.loop_rms) + " % of its peak (rms) from the " +
+               (trip.loop_measured ? "measured curve, as one cycle" : "law of the fabric"));
+}
+
+}  // namespace
+
+int run_kes(const Console& console, const KesCommandOptions& options) {
+  check_plot_name(options.plot);
+  const KesTest test = test_of(options);
+  const Fabric fabric = load_fabric(options.fabric);
+  for (const std::string& warning : fabric.warnings) console.warn(warning);
+  const KesRoundTrip trip = run_kes_round_trip(fabric, test, console.progress());
+  print(console, fabric, trip);
+  for (const std::string& note : trip.notes) console.detail("assumed: " + note);
+  if (!options.csv.empty()) {
+    write_curve_csv(options.csv, trip.record.curve);
+    console.say("wrote " + options.csv);
+  }
+  if (!options.plot.empty()) {
+    const PlotGrid grid{{}, 1, {kes_plot(fabric, trip)}};
+    write_atomically(options.plot, options.plot.ends_with(".svg")
+                                       ? plot_svg(grid, kPlotWidth, kPlotHeight)
+                                       : plot_png(grid, kPlotWidth, kPlotHeight, 1.0));
+    console.say("wrote " + options.plot);
+  }
+  JsonValue json = json_of(trip.simulated), notes{JsonValue::Array{}};
+  for (const std::string& note : trip.notes) notes.push(note);
+  json.set("input", json_of(trip.input)).set("stated", json_of(trip.stated));
+  json.set("loop_rms_percent", 100.0 * trip.loop_rms);
+  json.set("loop", trip.loop_measured ? "measured" : "law");
+  json.set("test", to_string(test.test)).set("direction", direction_of(test)).set("fabric", fabric.id);
+  json.set("spacing_m", trip.record.spacing).set("iterations", trip.record.iterations);
+  if (test.test == Test::kShear)
+    json.set("edge_share_percent", 100.0 * trip.record.edge_share).set("stretch", trip.record.stretch);
+  console.result(json.set("assumptions", notes));
+  return 0;
+}
+
+}  // namespace fuai_app
