@@ -237,6 +237,8 @@ void add_drape_command(CLI::App& app, Parsed& parsed) {
       "  fuai drape polyester-faille --disc 12.7cm --specimen 25.4cm\n"
       "  fuai --json --seed 7 drape graded-6 --runs 2 --elastic");
   command->callback([&] { parsed.run = [&](const Console& c) { return run_drape(c, parsed.drape); }; });
+}
+
 void add_kes_command(CLI::App& app, Parsed& parsed) {
   KesCommandOptions& options = parsed.kes;
   CLI::App* command = app.add_subcommand(

@@ -160,7 +160,7 @@ TEST_SUITE("unit") {
   }
 }
 
-TEST_SUITE("crosscheck") {
+TEST_SUITE("crosscheck+slow") {
   TEST_CASE("implicit steps of 8 ms drape as the explicit oracle does") {
     // Where both find the same folds they agree to a tenth of a point; the bound on the mean of five seeds at
     // 5 mm is 1.5 (docs/laboratory.md).

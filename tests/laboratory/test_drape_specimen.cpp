@@ -9,6 +9,7 @@
 #include <string>
 
 #include "fuai/core/error.h"
+#include "fuai/fabric/scalar_laws.h"
 #include "fuai/io/fabric_library.h"
 #include "fuai/laboratory/drape_material.h"
 #include "fuai/laboratory/drape_specimen.h"
@@ -170,11 +171,16 @@ TEST_SUITE("unit") {
     CHECK(made(DrapeVariant::kNoTwist).twist_stiffness == 0.0);
     CHECK(made(DrapeVariant::kMostTwist).twist_stiffness == doctest::Approx(0.5 * B).epsilon(1e-9));
     const double gamma = 0.05;  // on the straight part of the law, all plays slipped
-    const double at_ease = as_is.shear.evaluate(gamma, {}).stress;
+    // Read in the shear test under its tension, as the fabric's own numbers are.
+    const auto sheared = [&](double G_gf_per_cm_deg) {
+      const double G = G_gf_per_cm_deg * unit::kGfPerCmDeg, hysteresis = G * 1.5 * unit::kDegree;
+      return make_shear_law(G, hysteresis, hysteresis, laws.shear_test).evaluate(gamma, {}).stress;
+    };
+    CHECK(as_is.shear.evaluate(gamma, {}).stress == doctest::Approx(sheared(0.8)).epsilon(1e-9));
     CHECK(made(DrapeVariant::kLeastShear).shear.evaluate(gamma, {}).stress ==
-          doctest::Approx(at_ease * 0.3 / 0.8).epsilon(1e-9));
+          doctest::Approx(sheared(0.3)).epsilon(1e-9));
     CHECK(made(DrapeVariant::kMostShear).shear.evaluate(gamma, {}).stress ==
-          doctest::Approx(at_ease * 2.0 / 0.8).epsilon(1e-9));
+          doctest::Approx(sheared(2.0)).epsilon(1e-9));
     CHECK(made(DrapeVariant::kMostShear).twist_stiffness == as_is.twist_stiffness);
     // Without friction: the bending moment falls by half of 2HB once all plays have slipped.
     const double curvature = 100.0, hysteresis = 0.007 * unit::kGfCmPerCm;

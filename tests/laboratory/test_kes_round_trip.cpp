@@ -44,7 +44,7 @@ void check_all(const Fabric& fabric, Direction direction, double tolerance) {
 
 }  // namespace
 
-TEST_SUITE("crosscheck") {
+TEST_SUITE("crosscheck+slow") {
   TEST_CASE("every bundled fabric comes back from its instruments within 0.5 %") {
     int turn = 0;
     for (const std::string& id : bundled_fabric_ids()) {

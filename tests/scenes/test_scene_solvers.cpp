@@ -62,7 +62,7 @@ TEST_SUITE("unit") {
   }
 }
 
-TEST_SUITE("crosscheck") {
+TEST_SUITE("crosscheck+slow") {
   TEST_CASE("the corner drape by the paper's solver is the paper's drape, step for step") {
     const FabricLaws laws = cloth_laws();
     const EngineScene scene = make_corner_drape(laws);

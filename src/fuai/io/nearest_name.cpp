@@ -30,7 +30,8 @@ std::vector<std::string> nearest_names(std::string_view word, std::span<const st
   const int farthest = static_cast<int>(std::min<std::size_t>(word.size(), 64)) / 2 + 2;
   for (const std::string& name : names) {
     const int distance = edit_distance(word, name);
-    if (distance <= farthest) ranked.emplace_back(distance, name);
+    // As far as the name is long nothing of it is left.
+    if (distance <= farthest && distance < static_cast<int>(name.size())) ranked.emplace_back(distance, name);
   }
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const auto& x, const auto& y) { return x.first < y.first; });

@@ -104,12 +104,14 @@ Image shadow_image(const DrapeGeometry& geometry, const DrapeShadow& shadow) {
   Image image;
   image.width = image.height = side;
   image.pixels.assign(4 * static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 255);
+  const int middle = side / 2;
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {
-      const Vec2 place = pixel * Vec2(x - side / 2 + 0.5, side / 2 - y - 0.5);
+      const Vec2 place = pixel * Vec2(x - middle + 0.5, middle - y - 0.5);
       const int column = x / kScale - margin, row = y / kScale - margin;
       const bool inside = column >= 0 && column < shadow.side && row >= 0 && row < shadow.side;
-      const bool dark = inside && shadow.raster[static_cast<std::size_t>(row * shadow.side + column)] != 0;
+      const auto cell = static_cast<std::ptrdiff_t>(row) * shadow.side + column;
+      const bool dark = inside && shadow.raster[static_cast<std::size_t>(cell)] != 0;
       Shade shade = dark ? kShadow : kPaper;
       if (place.norm() < 0.5 * geometry.disc) shade = kDisc;
       if (on_circle(place.norm(), 0.5 * geometry.specimen, 3.0 * pixel)) shade = kRim;

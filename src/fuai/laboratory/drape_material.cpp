@@ -51,7 +51,7 @@ YarnLocking locking_of(const PlayLaw& tension, const PlayLaw& bending, double ar
 FabricLaws with_shear(const FabricLaws& laws, double G) {
   FabricLaws result = laws;
   const double hysteresis = assumed::kShearHysteresisAngle * G;
-  result.shear = make_shear_law(G, hysteresis, hysteresis);
+  result.shear = make_shear_law(G, hysteresis, hysteresis, laws.shear_test);
   return result;
 }
 

@@ -23,7 +23,8 @@ struct PolarMesh {
   std::vector<Vec3> points;  // (rings + 1) * kShadowDirections
 
   const Vec3& at(int ring, int direction) const {
-    return points[static_cast<Index>(ring * kShadowDirections + direction % kShadowDirections)];
+    return points[static_cast<Index>(ring) * kShadowDirections +
+                  static_cast<Index>(direction % kShadowDirections)];
   }
 };
 

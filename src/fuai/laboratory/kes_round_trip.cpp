@@ -199,7 +199,10 @@ void show_only(const Series& series, Plot& plot) {
 void add_notes(const FabricLaws& laws, const std::string& name, KesRoundTrip& trip) {
   for (const LawReport& report : laws.reports) {
     if (report.law != name) continue;
-    for (const std::string& sentence : report.assumptions) trip.notes.push_back(name + ": " + sentence);
+    for (const std::string& sentence : report.assumptions) {
+      trip.notes.push_back(name);
+      trip.notes.back().append(": ").append(sentence);
+    }
   }
   if (trip.test.test != Test::kShear) return;
   trip.notes.push_back("read without the free edges: with them the specimen carries " +
