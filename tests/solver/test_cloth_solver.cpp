@@ -141,6 +141,13 @@ TEST_SUITE("unit") {
       CHECK(after.time == doctest::Approx(4.0 * kDt).epsilon(1e-12));  // a sum of four
       CHECK((solver->step(kDt).status & StepReport::kNotFinite) == 0);
       CHECK(solver->position(model.slot(6, 0)).z() < 0.0);
+      // So does a step that is none; it does not even count.
+      solver->save(before);
+      for (double dt : {0.0, -kDt, std::numeric_limits<double>::infinity()})
+        CHECK(solver->step(dt).status == StepReport::kNotFinite);
+      solver->save(after);
+      CHECK(largest_distance(before, after) == 0.0);
+      CHECK(after.time == before.time);
     }
   }
 }

@@ -79,7 +79,8 @@ class ClothSolver {
   /// Holds of the next steps, group after group; what does not fit is left out. Thread class: real-time.
   virtual void attach(std::span<const Attachment> attachments,
                       std::span<const AttachmentGroup> groups) noexcept = 0;
-  /// One tick. @param dt [s], > 0. Thread class: real-time.
+  /// One tick. @param dt [s]; one that is not positive and finite does nothing and reports kNotFinite.
+  /// Thread class: real-time.
   virtual StepReport step(double dt) noexcept = 0;
 
   virtual Vec3 position(int slot) const noexcept = 0;  ///< [m]. Thread class: real-time.

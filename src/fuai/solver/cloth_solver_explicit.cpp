@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuai/solver/cloth_solver_explicit.h"
 
+#include <cmath>
+#include <string>
+
 #include "fuai/core/error.h"
 
 namespace fuai {
@@ -52,8 +55,12 @@ void ClothSolverExplicit::place(int slot, const Vec3& position) noexcept {
 }
 
 StepReport ClothSolverExplicit::step(double dt) noexcept {
-  solver_.set_substeps(inner_steps(dt));
   StepReport report;
+  if (!(dt > 0.0) || !std::isfinite(dt)) {
+    report.status = StepReport::kNotFinite;
+    return report;
+  }
+  solver_.set_substeps(inner_steps(dt));
   report.evaluations = solver_.options().substeps + 1;
   const std::uint32_t status = solver_.step(state_, dt, targets_);
   if ((status & kExplicitNotFinite) == 0) return report;

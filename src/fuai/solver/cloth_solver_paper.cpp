@@ -143,10 +143,14 @@ void ClothSolverPaper::guide(double fraction) noexcept {
 }
 
 StepReport ClothSolverPaper::step(double dt) noexcept {
+  StepReport report;
+  if (!(dt > 0.0) || !std::isfinite(dt)) {
+    report.status = StepReport::kNotFinite;
+    return report;
+  }
   before_ = state_;  // as large as before: no allocation
   for (std::size_t i = 0; i < fixed_count_ + held_count_; ++i)
     guided_[i].from = state_.positions[at(guided_[i].slot)];
-  StepReport report;
   for (int i = 1; i <= steps_; ++i) {
     guide(static_cast<double>(i) / steps_);
     solver_.step(state_);

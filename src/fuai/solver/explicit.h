@@ -19,7 +19,7 @@
 #include "fuai/cloth/cloth_model.h"
 #include "fuai/core/constants.h"
 #include "fuai/solver/cloth_material.h"
-#include "fuai/solver/implicit.h"  // what a hold is: Attachment, AttachmentGroup, HoldForce
+#include "fuai/solver/implicit_holds.h"  // Attachment, AttachmentGroup, HoldForce: what a hold is
 
 namespace fuai {
 
