@@ -63,7 +63,7 @@ struct SimulateOptions {
 int run_simulate(const Console& console, const SimulateOptions& options);
 
 struct KesCommandOptions {
-  std::string test;  ///< bending, tensile or shear
+  std::string test;  ///< bending, tensile, shear, buckling or stretch
   std::string fabric;
   std::string direction;             ///< warp or weft; empty: warp, in shear both
   std::string csv, plot;             ///< files; empty: none
@@ -75,9 +75,10 @@ int run_kes(const Console& console, const KesCommandOptions& options);
 struct CantileverCommandOptions {
   std::string fabric;
   std::string direction = "warp";
-  std::string length = "10cm";  ///< with unit
-  std::string width = "2cm";    ///< with unit
-  std::string spacing;          ///< with unit; empty: a fortieth of the length
+  std::string length;         ///< with unit; empty with an angle
+  std::string angle;          ///< of the chord, with unit: finds the overhang; empty with a length
+  std::string width = "2cm";  ///< with unit
+  std::string spacing;        ///< with unit; empty: a fortieth of the length
   bool elastic = false;
 };
 int run_cantilever(const Console& console, const CantileverCommandOptions& options);
@@ -98,5 +99,14 @@ struct DrapeCommandOptions {
   bool convergence = false;    ///< at other spacings too
 };
 int run_drape(const Console& console, const DrapeCommandOptions& options);
+struct LoopCommandOptions {
+  std::string kind;  ///< heart, pear or ring
+  std::string fabric;
+  std::string direction = "warp";
+  std::string length = "10cm";  ///< with unit
+  int segments = 80;
+  bool elastic = false;
+};
+int run_loop(const Console& console, const LoopCommandOptions& options);
 
 }  // namespace fuai_app

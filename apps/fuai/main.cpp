@@ -43,6 +43,7 @@ struct Parsed {
   CantileverCommandOptions cantilever;
   DrapeCommandOptions drape;
   KesCommandOptions kes;
+  LoopCommandOptions loop;
   std::function<int(const Console&)> run;
 };
 
@@ -186,8 +187,12 @@ void add_cantilever_command(CLI::App& app, Parsed& parsed) {
   command->add_option("--direction", options.direction, "Yarns along the strip: warp or weft")
       ->check(CLI::IsMember({"warp", "weft"}))
       ->capture_default_str();
-  command->add_option("--length", options.length, "Free length with unit, at least four spacings")
-      ->required();
+  CLI::Option_group* how = command->add_option_group("Length", "One of");
+  how->add_option("--length", options.length, "Free length with unit, at least four spacings");
+  how->add_option(
+      "--angle", options.angle,
+      "Find the overhang whose chord lies at this angle below level: 41.5deg as ASTM D1388, or 43deg");
+  how->require_option(1);
   command->add_option("--width", options.width, "Width with unit, at least two spacings")
       ->capture_default_str();
   command->add_option("--spacing", options.spacing,
@@ -197,6 +202,7 @@ void add_cantilever_command(CLI::App& app, Parsed& parsed) {
   command->footer(
       "Examples:\n  fuai cantilever wool-tropical --length 10cm\n"
       "  fuai cantilever cupro-woven-su1098 --direction weft --length 8cm --elastic\n"
+      "  fuai cantilever wool-tropical --angle 41.5deg\n"
       "  fuai --json cantilever graded-6 --length 15cm --spacing 5mm");
   command->callback(
       [&] { parsed.run = [&](const Console& c) { return run_cantilever(c, parsed.cantilever); }; });
@@ -239,12 +245,43 @@ void add_drape_command(CLI::App& app, Parsed& parsed) {
   command->callback([&] { parsed.run = [&](const Console& c) { return run_drape(c, parsed.drape); }; });
 }
 
+void add_loop_command(CLI::App& app, Parsed& parsed) {
+  constexpr int kFewestSegments = 16, kMostSegments = 1000;
+  LoopCommandOptions& options = parsed.loop;
+  CLI::App* command = app.add_subcommand(
+      "loop", "A strip whose ends are brought together in a clamp hangs in a loop: height, bending length");
+  command
+      ->add_option("LOOP", options.kind,
+                   "heart, pear or ring: the ends leave the clamp upward, downward, level")
+      ->check(CLI::IsMember({"heart", "pear", "ring"}))
+      ->required();
+  command->add_option("FABRIC", options.fabric, "Bundled name or path of a fabric file")->required();
+  command->add_option("--direction", options.direction, "Yarns along the strip: warp or weft")
+      ->check(CLI::IsMember({"warp", "weft"}))
+      ->capture_default_str();
+  command->add_option("--length", options.length, "Of the strip between the clamps, with unit")
+      ->capture_default_str();
+  command->add_option("--segments", options.segments, "Yarn crossings along the strip")
+      ->check(CLI::Range(kFewestSegments, kMostSegments))
+      ->capture_default_str();
+  command->add_flag("--elastic", options.elastic, "Without friction: the elastic curves of the laws alone");
+  command->footer(
+      "Examples:\n  fuai loop heart wool-tropical\n"
+      "  fuai loop pear cotton-knit-shirley --direction weft --length 15cm --elastic");
+  command->callback([&] { parsed.run = [&](const Console& c) { return run_loop(c, parsed.loop); }; });
+}
+
 void add_kes_command(CLI::App& app, Parsed& parsed) {
   KesCommandOptions& options = parsed.kes;
   CLI::App* command = app.add_subcommand(
-      "kes", "A fabric in a virtual KES instrument: the loop, its parameters, and the fabric's beside them");
-  command->add_option("TEST", options.test, "bending (FB2), tensile or shear (FB1)")
-      ->check(CLI::IsMember({"bending", "tensile", "shear"}))
+      "kes",
+      "A fabric in a virtual instrument (KES, or the Fabric Analyzer): the loop and its parameters beside "
+      "the fabric's own");
+  command
+      ->add_option(
+          "TEST", options.test,
+          "bending (FB2), tensile or shear (FB1); buckling or stretch as the Fabric Analyzer does them")
+      ->check(CLI::IsMember({"bending", "tensile", "shear", "buckling", "stretch"}))
       ->required();
   command->add_option("FABRIC", options.fabric, "Bundled name or path of a fabric file")->required();
   command
@@ -382,6 +419,7 @@ int parse_and_run(int argc, char** argv) {
   add_scene_commands(app, parsed);
   add_cantilever_command(app, parsed);
   add_drape_command(app, parsed);
+  add_loop_command(app, parsed);
   add_kes_command(app, parsed);
   try {
     app.parse(argc, argv);
