@@ -1,5 +1,6 @@
 // `fuai cantilever`: a strip that hangs under its own weight, and the bending length it shows.
 // SPDX-License-Identifier: Apache-2.0
+#include <memory>
 #include <string>
 
 #include "commands.h"
@@ -14,6 +15,16 @@ namespace fuai_app {
 using namespace fuai;
 
 namespace {
+
+struct CantileverCommandOptions {
+  std::string fabric;
+  std::string direction = "warp";
+  std::string length;         ///< with unit; empty with an angle
+  std::string angle;          ///< of the chord, with unit: finds the overhang; empty with a length
+  std::string width = "2cm";  ///< with unit
+  std::string spacing;        ///< with unit; empty: a fortieth of the length
+  bool elastic = false;
+};
 
 double length_value(const std::string& text, const char* option) {
   const double length = parse_value(text, kLength, option);
@@ -67,8 +78,6 @@ void print(const Console& console, const Fabric& fabric, const CantileverOptions
   for (const std::string& sentence : r.assumptions) console.detail("assumed: " + sentence);
 }
 
-}  // namespace
-
 int run_cantilever(const Console& console, const CantileverCommandOptions& command) {
   CantileverOptions options;
   options.direction = direction_value(command.direction);
@@ -99,6 +108,31 @@ int run_cantilever(const Console& console, const CantileverCommandOptions& comma
               "the strip did not come to rest: " + format_number(r.equilibrium.residual) +
                   " of its weight is out of balance",
               {}, "take another --spacing");
+}
+
+}  // namespace
+
+void declare_cantilever(const Command& parent) {
+  const auto options = std::make_shared<CantileverCommandOptions>();
+  const Command command = parent.command(
+      "cantilever", "A strip clamped level at one end, hanging under its own weight: bending length");
+  command.option("FABRIC", options->fabric, "Bundled name or path of a fabric file").required();
+  command.option("--direction", options->direction, "Yarns along the strip: warp or weft")
+      .among({"warp", "weft"});
+  const Command how = command.one_of("Length");
+  how.option("--length", options->length, "Free length with unit, at least four spacings");
+  how.option("--angle", options->angle,
+             "Find the overhang whose chord lies at this angle below level: 41.5deg as ASTM D1388, or 43deg");
+  command.option("--width", options->width, "Width with unit, at least two spacings");
+  command.option("--spacing", options->spacing,
+                 "Distance of the nodes with unit. Default: a fortieth of the length, at most half the "
+                 "width");
+  command.flag("--elastic", options->elastic, "Without friction: the elastic curves of the laws alone");
+  command.examples({"fuai cantilever wool-tropical --length 10cm",
+                    "fuai cantilever cupro-woven-su1098 --direction weft --length 8cm --elastic",
+                    "fuai cantilever wool-tropical --angle 41.5deg",
+                    "fuai --json cantilever graded-6 --length 15cm --spacing 5mm"});
+  command.body([options](const Console& console) { return run_cantilever(console, *options); });
 }
 
 }  // namespace fuai_app

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <charconv>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -100,8 +101,6 @@ int run_instrument(const Console& console, const KesCommandOptions& options, con
   return 0;
 }
 
-}  // namespace
-
 int run_kes(const Console& console, const KesCommandOptions& options) {
   check_plot_name(options.plot);
   const bool fab = options.test == "buckling" || options.test == "stretch";
@@ -112,6 +111,40 @@ int run_kes(const Console& console, const KesCommandOptions& options) {
   const Fabric fabric = load_fabric(options.fabric);
   for (const std::string& warning : fabric.warnings) console.warn(warning);
   return fab ? run_fab(console, options, fabric) : run_instrument(console, options, fabric);
+}
+
+}  // namespace
+
+void declare_kes(const Command& parent) {
+  const auto options = std::make_shared<KesCommandOptions>();
+  const Command command = parent.command(
+      "kes",
+      "A fabric in a virtual instrument (KES, or the Fabric Analyzer): the loop and its parameters beside "
+      "the fabric's own");
+  command
+      .option("TEST", options->test,
+              "bending (FB2), tensile or shear (FB1); buckling or stretch as the Fabric Analyzer does them")
+      .among({"bending", "tensile", "shear", "buckling", "stretch"})
+      .required();
+  command.option("FABRIC", options->fabric, "Bundled name or path of a fabric file").required();
+  command
+      .option("--direction", options->direction,
+              "Yarns from clamp to clamp: warp or weft. Default: warp; in shear the mean of both")
+      .among({"warp", "weft"});
+  command.option("--reverse", options->reverse,
+                 "Partial reversals on the way to the first stop, OUT or OUT:BACK in 1/cm, degrees or "
+                 "percent; BACK is 0, in tension no load, where it is left out");
+  command.option("--spacing", options->spacing,
+                 "Distance of the nodes with unit; must divide the specimen's length, 1 cm in bending, "
+                 "else 5 cm. Default: 2 mm in bending, 5 mm in shear, 1 cm in tension");
+  command.option("--csv", options->csv, "Write the simulated curve as a curve file");
+  command.option("--plot", options->plot,
+                 "Draw the simulated loop over the fabric's into FILE.png or FILE.svg");
+  command.examples({"fuai kes bending wool-tropical",
+                    "fuai kes shear wool-tropical --plot shear.png --csv shear.csv",
+                    "fuai --json kes tensile cupro-woven-su1098 --direction weft",
+                    "fuai kes bending polyester-faille --reverse 0.5 1 1.5:0.5 --plot minor.svg"});
+  command.body([options](const Console& console) { return run_kes(console, *options); });
 }
 
 }  // namespace fuai_app

@@ -1,6 +1,7 @@
 // `fuai loop`: a strip hangs in a loop from the clamp that holds both its ends.
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <memory>
 #include <string>
 
 #include "commands.h"
@@ -13,6 +14,17 @@
 namespace fuai_app {
 
 using namespace fuai;
+
+namespace {
+
+struct LoopCommandOptions {
+  std::string kind;  ///< heart, pear or ring
+  std::string fabric;
+  std::string direction = "warp";
+  std::string length = "10cm";  ///< with unit
+  int segments = 80;
+  bool elastic = false;
+};
 
 int run_loop(const Console& console, const LoopCommandOptions& command) {
   HangingLoopOptions options;
@@ -48,6 +60,29 @@ int run_loop(const Console& console, const LoopCommandOptions& command) {
   json.set("iterations", r.iterations).set("assumptions", assumptions);
   console.result(json.set("fabric", fabric.id));
   return 0;
+}
+
+}  // namespace
+
+void declare_loop(const Command& parent) {
+  const auto options = std::make_shared<LoopCommandOptions>();
+  constexpr int kFewestSegments = 16, kMostSegments = 1000;
+  const Command command = parent.command(
+      "loop", "A strip whose ends are brought together in a clamp hangs in a loop: height, bending length");
+  command
+      .option("LOOP", options->kind, "heart, pear or ring: the ends leave the clamp upward, downward, level")
+      .among({"heart", "pear", "ring"})
+      .required();
+  command.option("FABRIC", options->fabric, "Bundled name or path of a fabric file").required();
+  command.option("--direction", options->direction, "Yarns along the strip: warp or weft")
+      .among({"warp", "weft"});
+  command.option("--length", options->length, "Of the strip between the clamps, with unit");
+  command.option("--segments", options->segments, "Yarn crossings along the strip")
+      .range(kFewestSegments, kMostSegments);
+  command.flag("--elastic", options->elastic, "Without friction: the elastic curves of the laws alone");
+  command.examples({"fuai loop heart wool-tropical",
+                    "fuai loop pear cotton-knit-shirley --direction weft --length 15cm --elastic"});
+  command.body([options](const Console& console) { return run_loop(console, *options); });
 }
 
 }  // namespace fuai_app

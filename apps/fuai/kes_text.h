@@ -5,11 +5,21 @@
 #include <string>
 #include <vector>
 
-#include "commands.h"
+#include "console.h"
 #include "fuai/fabric/fabric.h"
 #include "fuai/laboratory/kes_round_trip.h"
 
 namespace fuai_app {
+
+/// Of `fuai kes`.
+struct KesCommandOptions {
+  std::string test;  ///< bending, tensile, shear, buckling or stretch
+  std::string fabric;
+  std::string direction;             ///< warp or weft; empty: warp, in shear both
+  std::string csv, plot;             ///< files; empty: none
+  std::vector<std::string> reverse;  ///< "OUT" or "OUT:BACK" in the unit of the test
+  std::string spacing;               ///< with unit; empty: the instrument's own
+};
 
 /// @throws Error (kUsage) for a name that says no kind of picture; empty is fine.
 void check_plot_name(const std::string& name);
