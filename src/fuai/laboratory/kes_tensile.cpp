@@ -65,7 +65,8 @@ struct TensileTest {
       const double limit = sense * (strain_limit - before.strain);
       if (!(limit > 0.0) && std::abs(strain_limit) < kMostStrain) return;
       if (!(limit > 0.0))
-        throw Error(ErrorKind::kCheckFailed, "the specimen never carried the load of the stop");
+        throw Error(ErrorKind::kCheckFailed, "the specimen never carried the load of the stop", {},
+                    "check the EMT and LT of the fabric");
       bool at_rest = false;
       double part = 1.0;
       for (; part > 1e-2 && !at_rest; part *= 0.5)
@@ -108,9 +109,7 @@ KesRecord run_kes_tensile(const FabricLaws& laws, const KesOptions& options, con
   if (progress) progress("virtual instrument", 0.5);
   test.run(-1, 0.0, -kMostStrain);
   KesRecord record;
-  record.curve.test = Test::kTensile;
-  record.curve.direction = options.direction;
-  record.curve.branches = recorder.take();
+  record.curve = recorder.take(Test::kTensile, options.direction);
   record.spacing = spec.spacing;
   record.iterations = tester.iterations();
   return record;
