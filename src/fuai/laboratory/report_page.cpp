@@ -73,6 +73,12 @@ HtmlTable bands(const DrapeTest& test) {
   return table;
 }
 
+/// "+0.012", "0.000", with the sign of what is shown.
+std::string signed_percent(double value) {
+  const std::string size = fixed_number(std::abs(value), 3);
+  return size == "0.000" ? size : (value < 0.0 ? "−" : "+") + size;
+}
+
 HtmlTable kes_table(const ReportedFabric& fabric) {
   HtmlTable table;
   table.header = {"test", "symbol", "fabric", "simulated", "unit", "difference %", "loop rms %"};
@@ -89,7 +95,7 @@ HtmlTable kes_table(const ReportedFabric& fabric) {
       const double difference = 100.0 * (simulated - own) / own;
       table.rows.push_back({name, std::string(q.symbol), shown_number(own / q.to_si),
                             shown_number(simulated / q.to_si), std::string(q.kes_unit),
-                            std::isfinite(difference) ? fixed_number(difference, 3) : "–",
+                            std::isfinite(difference) ? signed_percent(difference) : "–",
                             i == 0 ? fixed_number(100.0 * trip.loop_rms, 3) : ""});
     }
   }
@@ -117,7 +123,6 @@ void add_kes(HtmlPage& page, const ReportedFabric& fabric) {
 void add_fabric(HtmlPage& page, const ReportedFabric& fabric, const StudyPictures& pictures,
                 SourceList& sources) {
   const FabricStudy& study = fabric.study;
-  page.heading(study.fabric.name);
   page.paragraph(introduction(study.fabric));
   page.subheading("Drape");
   add_drape(page, study, pictures);
@@ -181,8 +186,8 @@ void add_method(HtmlPage& page, const ReportOptions& options, const FabricReport
           "), drag " + brief_number(m.loading_drag, 4) + " /s then and " + brief_number(m.settling_drag, 4) +
           " /s until it rests: the coefficient spreads by less than " + brief_number(100.0 * kRestSpread, 4) +
           " points over " + seconds(kRestWindow) + ", forces are in balance to " +
-          brief_number(kRestResidual, 4) + " of a node's weight. " +
-          drape_setting_in_words(report.fabrics.front().study.drape) +
+          brief_number(kRestResidual, 4) +
+          " of a node's weight. Here: " + drape_setting_in_words(report.fabrics.front().study.drape) +
           "; each seed lays the lattice elsewhere and makes the cloth a little uneven.",
       "Drape coefficient: (shadow - disc) / (specimen - disc), areas. ± is the standard deviation over the "
       "specimens. With assumptions: twist and shear that nobody measured at the ends of their ranges, summed "
@@ -266,18 +271,23 @@ std::string report_html(const FabricReport& report, const ReportOptions& options
   for (const ReportedFabric& fabric : report.fabrics)
     title += (title.empty() ? "" : ", ") + fabric.study.fabric.name;
   HtmlPage page(title);
-  page.paragraph(
-      "Report of fuai " + options.version + ", the simulator of measured cloth. " +
-      (report.comparison ? "A comparison of " + std::to_string(report.fabrics.size()) + " fabrics: "
-                         : std::string()) +
-      "numbers with where each comes from, drape, loops, " +
-      (options.kes.empty() ? "" : "the virtual KES instruments, ") + "and all that is needed to repeat it.");
-  page.heading("Drape");
-  page.table(drape_overview(report));
-  if (report.comparison) add_comparison(page, report);
+  const std::string about = report.comparison
+                                ? "a comparison of " + std::to_string(report.fabrics.size()) + " fabrics"
+                                : std::string("one fabric");
+  page.paragraph("Report of fuai " + options.version + ", " + about +
+                 ": numbers with where each comes from, drape, loops, " +
+                 (options.kes.empty() ? "" : "the virtual KES instruments, ") +
+                 "and all that is needed to repeat it.");
+  if (report.comparison) {
+    page.heading("Drape");
+    page.table(drape_overview(report));
+    add_comparison(page, report);
+  }
   SourceList sources;
-  for (std::size_t i = 0; i < report.fabrics.size(); ++i)
+  for (std::size_t i = 0; i < report.fabrics.size(); ++i) {
+    if (report.comparison) page.heading(report.fabrics[i].study.fabric.name);
     add_fabric(page, report.fabrics[i], pictures[i], sources);
+  }
   add_method(page, options, report);
   page.heading("Sources of the numbers");
   add_sources(page, sources);
