@@ -7,6 +7,8 @@
 namespace fuai_app {
 
 void declare_cantilever(const Command& parent);
+void declare_card(const Command& parent);
+void declare_compare(const Command& parent);
 void declare_drape(const Command& parent);
 void declare_fabrics(const Command& parent);
 void declare_import(const Command& parent);
@@ -14,6 +16,7 @@ void declare_kes(const Command& parent);
 void declare_loop(const Command& parent);
 void declare_paper(const Command& parent);
 void declare_render(const Command& parent);
+void declare_report(const Command& parent);
 void declare_scenes(const Command& parent);
 void declare_show(const Command& parent);
 void declare_simulate(const Command& parent);

@@ -26,11 +26,13 @@ int exit_code(fuai::ErrorKind kind) {
 
 void declare_commands(const Command& top) {
   declare_fabrics(top);
-  const Command fabric = top.group("fabric", "Import or show one fabric");
+  const Command fabric = top.group("fabric", "Import a fabric, show one, compare several, make a card");
   fabric.examples(
       {"fuai fabric show wool-tropical", "fuai fabric import cupro.physics.json -o cupro.fabric.toml"});
   declare_import(fabric);
   declare_show(fabric);
+  declare_compare(fabric);
+  declare_card(fabric);
   declare_paper(top);
   declare_scenes(top);
   declare_render(top);
@@ -39,6 +41,7 @@ void declare_commands(const Command& top) {
   declare_drape(top);
   declare_loop(top);
   declare_kes(top);
+  declare_report(top);
 }
 
 }  // namespace
