@@ -6,6 +6,8 @@
 
 namespace fuai_app {
 
+/// @param all declares the commands, to check those of a manifest
+void declare_batch(const Command& parent, const DeclareCommands& all);
 void declare_cantilever(const Command& parent);
 void declare_drape(const Command& parent);
 void declare_fabrics(const Command& parent);

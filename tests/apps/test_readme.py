@@ -10,7 +10,7 @@ from program_tools import SOURCE, Case
 
 READMES = ["README.md", "README.ja.md"]
 # Commands whose literal run takes minutes; their options are checked against --help instead.
-SLOW = {("paper",), ("render",), ("drape",)}
+SLOW = {("paper",), ("render",), ("drape",), ("batch",)}
 
 
 def quoted_commands(name):
@@ -33,13 +33,15 @@ class Commands(Case):
 
     def check_slow(self, words):
         """The command knows every option that is quoted; a picture is made of the scene's first moment, a drape of
-        a coarse lattice."""
+        a coarse lattice; of a batch the list."""
         known = self.run_program(words[0], "--help").stdout
         for word in words:
             if word.startswith("-"):
                 self.assertRegex(known, rf"(?m)^ +(-\w,)?{re.escape(word)}[ ,]")
         if words[0] == "drape":
             self.run_program("-q", *words, "--spacing", "2cm", "--runs", "1")
+        if words[0] == "batch":
+            self.run_program("-q", *words, "--list")
         if words[0] == "render":
             self.run_program("-q", *words, "--time", "0s", "--width", "64", "--height", "48")
 
