@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -139,9 +140,7 @@ HangingLoopResult run_hanging_loop(const FabricLaws& laws, const HangingLoopOpti
   }
   result.assumptions.emplace_back("the strip is formed face inward, from flat and without a past");
   if (options.elastic) result.assumptions.emplace_back("friction was left out");
-  for (const LawReport& report : laws.reports)
-    for (const std::string& sentence : report.assumptions)
-      result.assumptions.push_back(report.law + ": " + sentence);
+  std::ranges::move(assumptions_of(laws), std::back_inserter(result.assumptions));
   return result;
 }
 

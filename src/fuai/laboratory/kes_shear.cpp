@@ -158,9 +158,7 @@ KesRecord run_kes_shear(const FabricLaws& laws, const KesOptions& options, const
   start.strain = 0.0;
   KesRecorder recorder(start);
   drive(turning_points(options.reversals, stops), kStep, watched, recorder, progress);
-  record.curve.test = Test::kShear;
-  record.curve.direction = options.direction;
-  record.curve.branches = recorder.take();
+  record.curve = recorder.take(Test::kShear, options.direction);
   record.stretch = tester.opening();
   record.spacing = spec.spacing;
   record.iterations = tester.iterations();

@@ -108,9 +108,7 @@ KesRecord run_kes_tensile(const FabricLaws& laws, const KesOptions& options, con
   if (progress) progress("virtual instrument", 0.5);
   test.run(-1, 0.0, -kMostStrain);
   KesRecord record;
-  record.curve.test = Test::kTensile;
-  record.curve.direction = options.direction;
-  record.curve.branches = recorder.take();
+  record.curve = recorder.take(Test::kTensile, options.direction);
   record.spacing = spec.spacing;
   record.iterations = tester.iterations();
   return record;
