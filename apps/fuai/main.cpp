@@ -26,11 +26,13 @@ int exit_code(fuai::ErrorKind kind) {
 
 void declare_commands(const Command& top) {
   declare_fabrics(top);
-  const Command fabric = top.group("fabric", "Import or show one fabric");
+  const Command fabric = top.group("fabric", "Import, show or fit one fabric");
   fabric.examples(
       {"fuai fabric show wool-tropical", "fuai fabric import cupro.physics.json -o cupro.fabric.toml"});
   declare_import(fabric);
   declare_show(fabric);
+  declare_fit(fabric);
+  declare_bands(fabric);
   declare_paper(top);
   declare_scenes(top);
   declare_render(top);
