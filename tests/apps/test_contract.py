@@ -8,7 +8,7 @@ from html.parser import HTMLParser
 
 from program_tools import FABRIC, SOURCE, Case
 
-COMMANDS = ["fabrics", "fabric", "fabric import", "fabric show", "paper", "scenes", "render", "simulate", "batch"]
+COMMANDS = ["fabrics", "fabric", "fabric import", "fabric show", "fabric fit", "fabric bands", "paper", "scenes", "render", "simulate", "batch"]
 # Any file that is no driver description hides all drivers, as tests/picture does.
 NO_DRIVER = {"__EGL_VENDOR_LIBRARY_FILENAMES": "/dev/null"}
 
