@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -71,7 +72,9 @@ TEST_SUITE("unit") {
     CHECK(order == std::vector<std::size_t>{0, 1, 2});
 
     // Each of the two waits until the other has opened the same named pipe: alone it would never end.
-    const std::string pipe = "/tmp/fuai-test-runtime-" + std::to_string(::getpid());
+    const std::string pipe =
+        (std::filesystem::temp_directory_path() / ("fuai-test-runtime-" + std::to_string(::getpid())))
+            .string();
     REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
     const std::vector<ProcessEnd> ends = run({shell("echo met > " + pipe), shell("cat " + pipe)}, 2);
     ::unlink(pipe.c_str());

@@ -61,7 +61,8 @@ OverhangResult find_overhang(const FabricLaws& laws, const CantileverOptions& op
     low = hang(std::max(kShortest, low.length / kGrowth));
   }
   if (low.excess > 0.0 || high.excess < 0.0)
-    throw Error(ErrorKind::kCheckFailed, "no overhang of 1 mm to 2 m hangs at this angle");
+    throw Error(ErrorKind::kCheckFailed, "no overhang of 1 mm to 2 m hangs at this angle", {},
+                "the cloth may rise by its own curl; give a length instead");
   Point at = std::abs(low.excess) < std::abs(high.excess) ? low : high;
   while (std::abs(at.excess) > kAngleTolerance && result.runs < kMostRuns) {
     const double t = result.runs % 3 == 2 ? 0.5 : -low.excess / (high.excess - low.excess);

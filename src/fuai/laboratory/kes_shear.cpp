@@ -31,7 +31,8 @@ class ShearTester {
       const double share = static_cast<double>(i) / kTensionSteps;
       specimen_.pull(specimen_.along(), share * per_width * specimen_.spec().width);
       if (!specimen_.settle(Mat3::Identity(), Vec3::Zero()).converged)
-        throw Error(ErrorKind::kCheckFailed, "the specimen did not come to rest under the tension alone");
+        throw Error(ErrorKind::kCheckFailed, "the specimen did not come to rest under the tension alone", {},
+                    "take another spacing");
       specimen_.commit();
     }
     distance_ = distance();

@@ -65,7 +65,8 @@ struct TensileTest {
       const double limit = sense * (strain_limit - before.strain);
       if (!(limit > 0.0) && std::abs(strain_limit) < kMostStrain) return;
       if (!(limit > 0.0))
-        throw Error(ErrorKind::kCheckFailed, "the specimen never carried the load of the stop");
+        throw Error(ErrorKind::kCheckFailed, "the specimen never carried the load of the stop", {},
+                    "check the EMT and LT of the fabric");
       bool at_rest = false;
       double part = 1.0;
       for (; part > 1e-2 && !at_rest; part *= 0.5)
