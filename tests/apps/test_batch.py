@@ -95,6 +95,20 @@ class Unit(Batch):
         self.assertEqual([c["case"] for c in listed], [text.split("\t")[0] for text in lines])
         self.assertEqual(listed[5]["command_line"], words)
 
+    def test_every_command_takes_the_kinds_of_values_that_its_options_have(self):
+        self.write("m.toml", 'format = "fuai-batch/1"\nfabrics = "graded-1"\n'
+                   '[[cases]]\ncommand = "loop"\nloop = "ring"\nsegments = 16\n'
+                   '[[cases]]\ncommand = "drape"\nruns = [1, 2]\nno-bands = true\nout = "."\nseed = 3\n'
+                   '[[cases]]\ncommand = "simulate"\nscene = "yank"\nsize = 8\nrecord = "r.csv"\n'
+                   '[[cases]]\ncommand = "kes"\ntest = "tensile"\nreverse = [["1", "1.5:0.5"]]\n')
+        lines = [line.split("\t") for line in self.run_program("batch", "m.toml", "--list", "-o", "o").stdout.splitlines()]
+        self.assertEqual([line for _, line in lines], [
+            "fuai --json --seed 0 --threads 1 loop ring graded-1 --segments 16",
+            f"fuai --json --seed 3 --threads 1 drape graded-1 --runs 1 --no-bands --out o/files/{lines[1][0]}/.",
+            f"fuai --json --seed 3 --threads 1 drape graded-1 --runs 2 --no-bands --out o/files/{lines[2][0]}/.",
+            f"fuai --json --seed 0 --threads 1 simulate yank --fabric graded-1 --size 8 --record o/files/{lines[3][0]}/r.csv",
+            "fuai --json --seed 0 --threads 1 kes tensile graded-1 --reverse 1 1.5:0.5"])
+
     def test_failures_are_recorded_and_the_others_go_on(self):
         self.write("bad.fabric.toml", FABRIC.replace("W_mg_per_cm2 = 16", "W_mg_per_cm2 = -16"))
         self.write("m.toml", 'format = "fuai-batch/1"\nfabrics = ["bad.fabric.toml", "wool-tropical"]\n'
