@@ -289,7 +289,7 @@ void declare_drape(const Command& parent) {
   command.option("--solver", options->solver, "implicit, or explicit: the oracle, minutes a specimen")
       .among({"implicit", "explicit"});
   command.option("--linger", options->linger, "Goes on so long once the cloth rests, e.g. 2s");
-  command.option("--out", options->out, "Folder for shadow, pictures, mesh and tables");
+  command.option("--out", options->out, "Folder for shadow, pictures, mesh and tables").file();
   command.examples({"fuai drape wool-tropical --out drape",
                     "fuai drape polyester-faille --disc 12.7cm --specimen 25.4cm",
                     "fuai --json --seed 7 drape graded-6 --runs 2 --elastic"});

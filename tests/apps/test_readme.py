@@ -10,7 +10,7 @@ from program_tools import SOURCE, Case
 
 READMES = ["README.md", "README.ja.md"]
 # Commands whose literal run takes minutes; their options are checked against --help instead.
-SLOW = [["paper"], ["render"], ["drape"], ["report"], ["fabric", "card"]]
+SLOW = [["paper"], ["render"], ["drape"], ["report"], ["fabric", "card"], ["batch"]]
 
 
 def quoted_commands(name):
@@ -34,7 +34,7 @@ class Commands(Case):
 
     def check_slow(self, command, words):
         """The command knows every option that is quoted; a picture is made of the scene's first moment, a drape of
-        a coarse lattice."""
+        a coarse lattice; of a batch the list."""
         known = self.run_program(*command, "--help").stdout
         for word in words:
             if word.startswith("-"):
@@ -43,6 +43,8 @@ class Commands(Case):
             self.run_program("-q", *words, "--spacing", "2cm", "--runs", "1")
         if command == ["report"]:
             self.run_program("-q", *words, "--spacing", "2cm", "--runs", "1", "--no-kes")
+        if command == ["batch"]:
+            self.run_program("-q", *words, "--list")
         if words[0] == "render":
             self.run_program("-q", *words, "--time", "0s", "--width", "64", "--height", "48")
 
