@@ -40,19 +40,12 @@ void print_values(const Console& console, const FabricComparison& comparison) {
   console.line("  m measured, c computed from a measured curve, f fitted, s statistic of many, a assumed");
 }
 
-std::string signed_text(double value, const char* format) {
-  char text[32];
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wformat-nonliteral"
-  std::snprintf(text, sizeof text, format, value);
-#pragma GCC diagnostic pop
-  return text;
-}
-
+/// "-72 % (-6.3)", "-72 %", "-".
 std::string difference_text(double change, double jnd) {
-  std::string text = std::isnan(change) ? "-" : signed_text(100.0 * change, "%+.0f %%");
-  if (!std::isnan(jnd)) text += signed_text(jnd, " (%+.1f)");
-  return text;
+  char percent[32] = "-", steps[32] = "";
+  if (!std::isnan(change)) std::snprintf(percent, sizeof percent, "%+.0f %%", 100.0 * change);
+  if (!std::isnan(jnd)) std::snprintf(steps, sizeof steps, " (%+.1f)", jnd);
+  return std::string(percent) + steps;
 }
 
 void print_differences(const Console& console, const FabricComparison& comparison) {

@@ -22,10 +22,14 @@ def quoted_commands(name):
 class Commands(Case):
     def test_every_quoted_command_line_works(self):
         (self.folder / "data").symlink_to(SOURCE / "data")  # quoted from the top of the tree
+        tried = []
         for readme in READMES:
             commands = quoted_commands(readme)
             self.assertGreaterEqual(len(commands), 6, readme)
             for words in commands:
+                if words in tried:
+                    continue  # the other language quotes it too
+                tried.append(words)
                 slow = next((s for s in SLOW if words[:len(s)] == s), None)
                 if slow:
                     self.check_slow(slow, words)

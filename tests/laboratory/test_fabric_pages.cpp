@@ -126,6 +126,25 @@ TEST_SUITE("unit") {
     CHECK_FALSE(holds(html, "href="));
   }
 
+  TEST_CASE("names that are too long for a column give way to the id, signs follow what is shown") {
+    Fabric fabric;
+    fabric.id = "lot-4711";
+    fabric.name = "Tropical";
+    CHECK(short_name(fabric) == "Tropical");
+    fabric.name = "絹混ウール、二回目の納品分、春のコレクション用";  // 23 characters, 69 bytes
+    CHECK(short_name(fabric) == fabric.name);
+    fabric.name += "、綾織";
+    CHECK(short_name(fabric) == fabric.name);  // 26
+    fabric.name += "り";
+    CHECK(short_name(fabric) == "lot-4711");
+    fabric.id = std::string(40, 'x');
+    CHECK(short_name(fabric) == std::string(26, 'x') + "…");
+    CHECK(signed_number(0.04, 1) == "0.0");
+    CHECK(signed_number(-0.04, 1) == "0.0");
+    CHECK(signed_number(-0.06, 1) == "−0.1");
+    CHECK(signed_number(12.0, 0) == "+12");
+  }
+
   TEST_CASE("the hash of a fabric sees its numbers and its curves") {
     Fabric fabric = load_fabric("cupro-woven-su1098");
     const std::string hash = fabric_hash(fabric);

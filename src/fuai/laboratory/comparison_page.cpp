@@ -19,10 +19,6 @@ std::string row_head(const FabricNumber& n) {
   return section + " " + std::string(n.definition().symbol);
 }
 
-std::string signed_number(double value, int decimals) {
-  return (value < 0.0 ? "−" : "+") + fixed_number(std::abs(value), decimals);
-}
-
 std::string difference_text(double change, double jnd) {
   if (std::isnan(change) && std::isnan(jnd)) return "–";
   std::string text;
@@ -60,10 +56,16 @@ void show_within(double range, Plot& plot) {
 
 }  // namespace
 
+std::string signed_number(double value, int decimals) {
+  const std::string size = fixed_number(std::abs(value), decimals);
+  if (size.find_first_not_of("0.") == std::string::npos) return size;  // nothing of it shows
+  return (value < 0.0 ? "−" : "+") + size;
+}
+
 HtmlTable value_table(const FabricComparison& comparison) {
   HtmlTable table;
   table.header = {"", "unit"};
-  for (const Fabric& fabric : comparison.fabrics) table.header.push_back(fabric.name);
+  for (const Fabric& fabric : comparison.fabrics) table.header.push_back(short_name(fabric));
   for (const ComparedNumber& number : comparison.numbers) {
     std::vector<std::string> row{row_head(number.first()), std::string(number.first().definition().kes_unit)};
     for (const FabricNumber& n : number.each) {
@@ -80,7 +82,7 @@ HtmlTable difference_table(const FabricComparison& comparison) {
   HtmlTable table;
   table.header = {""};
   for (std::size_t i = 1; i < comparison.fabrics.size(); ++i)
-    table.header.push_back(comparison.fabrics[i].name);
+    table.header.push_back(short_name(comparison.fabrics[i]));
   table.header.emplace_back("threshold");
   for (const ComparedNumber& number : comparison.numbers) {
     std::vector<std::string> row{row_head(number.first())};
@@ -118,7 +120,7 @@ PlotGrid comparison_plots(std::span<const FabricStudy* const> studies) {
       const Plot own = plot_of(*studies[i]);
       together.x_label = own.x_label, together.y_label = own.y_label;
       Series series = law_series(own, beginning);
-      series.label = studies[i]->fabric.name + (is_assumed(studies[i]->laws, law) ? ", assumed" : "");
+      series.label = short_name(studies[i]->fabric) + (is_assumed(studies[i]->laws, law) ? ", assumed" : "");
       series.colour = static_cast<int>(i);
       series.arrows = false;
       together.series.push_back(std::move(series));

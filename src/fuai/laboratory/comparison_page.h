@@ -3,6 +3,8 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <vector>
 
 #include "fuai/experiments/html_page.h"
 #include "fuai/laboratory/fabric_comparison.h"
@@ -10,6 +12,9 @@
 #include "fuai/picture/plot.h"
 
 namespace fuai {
+
+/// "+0.5", "−12", "0.0": a difference with the sign of what is shown. Thread class: any.
+std::string signed_number(double value, int decimals);
 
 /// Values of all fabrics, KES units, with their kinds. Thread class: set-up.
 HtmlTable value_table(const FabricComparison& comparison);

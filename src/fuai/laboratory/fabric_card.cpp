@@ -25,7 +25,10 @@ constexpr Colour kAssumed{0.72, 0.30, 0.02, 1.0};  ///< what nobody measured on 
 
 void add_head(Sheet& sheet, const FabricStudy& study) {
   const Fabric& fabric = study.fabric;
-  sheet.texts.push_back({{kMargin, 16.0, kInner, 30.0}, fabric.name, 20.0, true});
+  constexpr std::size_t kLong = 60;  // bytes; a line of large letters holds no more
+  const bool is_long = fabric.name.size() > kLong;
+  sheet.texts.push_back(
+      {{kMargin, is_long ? 22.0 : 16.0, kInner, 30.0}, fabric.name, is_long ? 13.0 : 20.0, true});
   const std::string line = fabric.id + (fabric.composition.empty() ? "" : " · " + fabric.composition) +
                            " · " + shown_number(fabric.areal_mass.value / unit::kGPerM2) + " g/m²";
   sheet.texts.push_back({{kMargin, 46.0, kInner, 15.0}, line, 10.5, false, kGrey});

@@ -1,5 +1,5 @@
-// The KES numbers of a fabric, those that stand in its file and those that its laws assume, each with where
-// it comes from. SPDX-License-Identifier: Apache-2.0
+// The KES numbers of a fabric, stated or assumed by its laws, each with where it comes from.
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <string>

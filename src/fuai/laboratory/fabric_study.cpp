@@ -82,6 +82,23 @@ std::string measured_drape_in_words(const Fabric& fabric) {
                         : " (tester not stated)");
 }
 
+std::string short_name(const Fabric& fabric) {
+  constexpr std::size_t kMost = 26;  // characters
+  const auto starts = [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; };
+  const auto length = [&](const std::string& text) {
+    return static_cast<std::size_t>(std::ranges::count_if(text, starts));
+  };
+  if (length(fabric.name) <= kMost) return fabric.name;
+  const std::string& text = fabric.id.empty() ? fabric.name : fabric.id;
+  std::string cut;
+  std::size_t used = 0;
+  for (const char c : text) {
+    if (starts(c) && ++used > kMost) return cut + "…";
+    cut += c;
+  }
+  return cut;
+}
+
 std::string shown_number(double value) { return std::isnan(value) ? "-" : brief_number(value, 4); }
 
 }  // namespace fuai

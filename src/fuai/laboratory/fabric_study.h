@@ -43,6 +43,10 @@ std::string drape_setting_in_words(const DrapeTest& test);
 /// "measured: 49.8 %, 5 nodes (tester not stated)"; empty where nobody measured. Thread class: any.
 std::string measured_drape_in_words(const Fabric& fabric);
 
+/// The name where it is short enough for a column or a legend, else the id, cut if need be. Thread class:
+/// any.
+std::string short_name(const Fabric& fabric);
+
 /// "0.067", four digits; "-" for NaN. Thread class: any.
 std::string shown_number(double value);
 

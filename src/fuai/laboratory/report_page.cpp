@@ -41,7 +41,7 @@ HtmlTable drape_overview(const FabricReport& report) {
     std::string measured = measured_drape_in_words(fabric.study.fabric);
     if (measured.starts_with("measured: ")) measured.erase(0, 10);
     table.rows.push_back(
-        {fabric.study.fabric.name,
+        {short_name(fabric.study.fabric),
          percent(test.coefficient.mean) +
              (test.samples.size() > 1 ? " ± " + percent(test.coefficient.deviation) : ""),
          test.bands.empty() ? "–" : percent(test.band_low) + " to " + percent(test.band_high),
@@ -67,16 +67,10 @@ HtmlTable specimens(const DrapeTest& test) {
 HtmlTable bands(const DrapeTest& test) {
   HtmlTable table;
   table.header = {"assumed", "at the lower end, points", "at the upper end, points"};
-  const auto points = [](double x) { return (x < 0.0 ? "−" : "+") + fixed_number(std::abs(100.0 * x), 1); };
+  const auto points = [](double x) { return signed_number(100.0 * x, 1); };
   for (const DrapeBand& band : test.bands)
     table.rows.push_back({band.what, points(band.at_least), points(band.at_most)});
   return table;
-}
-
-/// "+0.012", "0.000", with the sign of what is shown.
-std::string signed_percent(double value) {
-  const std::string size = fixed_number(std::abs(value), 3);
-  return size == "0.000" ? size : (value < 0.0 ? "−" : "+") + size;
 }
 
 HtmlTable kes_table(const ReportedFabric& fabric) {
@@ -95,7 +89,7 @@ HtmlTable kes_table(const ReportedFabric& fabric) {
       const double difference = 100.0 * (simulated - own) / own;
       table.rows.push_back({name, std::string(q.symbol), shown_number(own / q.to_si),
                             shown_number(simulated / q.to_si), std::string(q.kes_unit),
-                            std::isfinite(difference) ? signed_percent(difference) : "–",
+                            std::isfinite(difference) ? signed_number(difference, 3) : "–",
                             i == 0 ? fixed_number(100.0 * trip.loop_rms, 3) : ""});
     }
   }
@@ -142,7 +136,7 @@ void add_comparison(HtmlPage& page, const FabricReport& report) {
   page.heading("Comparison");
   page.subheading("Numbers in KES units, and their kind");
   page.table(value_table(comparison));
-  page.subheading("Differences from " + comparison.fabrics.front().name);
+  page.subheading("Differences from " + short_name(comparison.fabrics.front()));
   const HtmlTable differences = difference_table(comparison);
   if (!differences.rows.empty()) page.table(differences);
   page.paragraph(
