@@ -1,5 +1,5 @@
-// bench_engine [--markdown FILE] [--quick]: speed, kernels, limits and accuracy of the cloth engine.
-// SPDX-License-Identifier: Apache-2.0
+// bench_engine [--markdown FILE] [--quick] [--only speed|kernels|accuracy]: speed, kernels, limits and
+// accuracy of the cloth engine. SPDX-License-Identifier: Apache-2.0
 #include "bench_engine.h"
 
 #include <cstdio>
@@ -44,24 +44,27 @@ void report_machine(Report& report, const MachineLimits& limits) {
 
 int run(int count, char** arguments) {
   bool quick = false;
-  std::string file;
+  std::string file, only;
   for (int i = 1; i < count; ++i) {
     const std::string argument = arguments[i];
     if (argument == "--quick") {
       quick = true;
     } else if (argument == "--markdown" && i + 1 < count) {
       file = arguments[++i];
+    } else if (argument == "--only" && i + 1 < count) {
+      only = arguments[++i];
     } else {
-      std::fprintf(stderr, "usage: bench_engine [--markdown FILE] [--quick]\n");
+      std::fprintf(stderr,
+                   "usage: bench_engine [--markdown FILE] [--quick] [--only speed|kernels|accuracy]\n");
       return 2;
     }
   }
   Report report;
   const MachineLimits limits = measure_machine(quick ? 40 : 200);
   report_machine(report, limits);
-  report_speed(report, quick);
-  report_kernels(report, limits, quick);
-  report_accuracy(report, quick);
+  if (only.empty() || only == "speed") report_speed(report, quick);
+  if (only.empty() || only == "kernels") report_kernels(report, limits, quick);
+  if (only.empty() || only == "accuracy") report_accuracy(report, quick);
   if (file.empty()) return 0;
   std::ofstream out(file);
   out << "# Measured figures of the cloth engine\n\nWritten by `bench_engine --markdown` "

@@ -79,10 +79,10 @@ Vec3 TautPatch::target(double time) const {
          (motion->hand(0, time).position - motion->hand(0, 0.0).position);
 }
 
-TautPatch make_taut_patch(int side) {
+TautPatch make_taut_patch(int side, double spacing) {
   FabricLaws laws;  // the scene's own material is not used
   laws.areal_mass = kArealMass;
-  EngineScene scene = fuai::make_taut_patch(laws, {side, kSpacing});
+  EngineScene scene = fuai::make_taut_patch(laws, {side, spacing});
   TautPatch patch;
   patch.material = bench_material();
   patch.grasp = side / 2;

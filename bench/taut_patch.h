@@ -41,7 +41,7 @@ struct TautPatch {
   fuai::Vec3 target(double time) const;
 };
 
-/// Lets the cloth come to rest with the converged implicit step. Thread class: set-up.
-TautPatch make_taut_patch(int side);
+/// Lets the cloth come to rest with the converged implicit step. @param spacing [m]. Thread class: set-up.
+TautPatch make_taut_patch(int side, double spacing = kSpacing);
 
 }  // namespace fuai_bench
