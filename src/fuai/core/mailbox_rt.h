@@ -13,15 +13,12 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
-#include <type_traits>
 
 namespace fuai {
 
-/// The newest value of T.
+/// The newest value of T, whose copying must not throw or allocate (matrices of fixed size do not).
 template <class T>
 class Mailbox {
-  static_assert(std::is_nothrow_copy_assignable_v<T>);
-
  public:
   /// All three copies hold `first`, which counts as read. Thread class: set-up.
   explicit Mailbox(const T& first = T{}) : copies_{first, first, first} {}

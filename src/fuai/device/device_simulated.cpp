@@ -103,6 +103,7 @@ void SimulatedDevice::substep(double dt) noexcept {
   heat_.advance(given_.norm(), dt);
   const double mass = spec_.info.mass + hand_.mass;
   const HandTarget target = motion_ ? motion_->at(time_) : HandTarget{};
+  const Vec3 before = position_, start = velocity_;
   // Springs and motors at the old place, dampers at the new speed.
   const Vec3 force =
       given_ + push_ + hand_.stiffness * (target.position - position_) + hand_.damping * target.velocity;
@@ -110,8 +111,9 @@ void SimulatedDevice::substep(double dt) noexcept {
   // Coulomb friction takes what it can of the momentum and no more: it never pushes back.
   const double speed = velocity_.norm(), least = dt * spec_.friction / mass;
   velocity_ = speed > least ? Vec3((1.0 - least / speed) * velocity_) : Vec3(Vec3::Zero());
-  const Vec3 before = position_;
-  position_ += dt * velocity_;
+  // By the mean speed, which is exact for a force that is held: the new speed would anticipate half a substep
+  // and render walls 5 % stiffer than they can be.
+  position_ += 0.5 * dt * (start + velocity_);
   stop_at_walls();
   work_ -= given_.dot(position_ - before);
   time_ += dt;

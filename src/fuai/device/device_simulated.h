@@ -5,8 +5,8 @@
 //   (m + m_h) x'' = F(t - t_d) - b x' - f_c x'/|x'| + k_h (x_t - x) + b_h (x_t' - x')
 //
 //   F is what was written last, cut to what the device gives and held until the next command; the program
-//   sees x rounded to the encoder's step. Semi-implicit Euler in equal substeps of at most 50 us; the same
-//   input gives the same bits.
+//   sees x rounded to the encoder's step. Equal substeps of at most 50 us: the
+//   dampers are implicit, a force that is held is integrated exactly. The same input gives the same bits.
 //
 //   [read -> write -> advance(dt)]* ; time passes in advance() only.
 #pragma once
