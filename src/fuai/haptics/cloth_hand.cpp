@@ -9,6 +9,14 @@
 
 namespace fuai {
 
+ImplicitOptions make_felt_options(const ImplicitOptions& scene) {
+  ImplicitOptions options = scene;
+  options.iterations = 12;
+  options.linearisations = 5;
+  options.relinearise = 0.004;
+  return options;
+}
+
 ClothHand::ClothHand(const ClothModel& model, const ClothMaterial& material, const ClothSolverOptions& solver,
                      const ClothState& start, const GraspSpec& grasp, const ClothHandOptions& options)
     : simulation_(model, material, solver),
@@ -27,6 +35,9 @@ ClothHand::ClothHand(const ClothModel& model, const ClothMaterial& material, con
   const Vec3 middle = patch();
   simulation_.release(hold_);
   hold_ = simulation_.grasp(grasp_, middle);
+  // Makes room for whatever a step copies out; what a solver carries appears after its first step only.
+  state_.carried.reserve(64);
+  simulation_.stored_energy(state_);
 }
 
 Vec3 ClothHand::patch() const noexcept { return simulation_.grasp_reading(hold_).centre; }

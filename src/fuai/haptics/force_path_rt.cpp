@@ -23,8 +23,9 @@ void check(const ForcePathOptions& o) {
   require(o.velocity_cutoff > 0.0, "the velocity cut-off must be positive");
   require(o.stable_stiffness > 0.0, "the device's stiffness must be positive");
   require(o.damping >= 0.0 && o.blend >= 0.0, "damping and blend must not be negative");
-  require(o.passivity.mass > 0.0 && o.passivity.payback > 0.0 && o.passivity.reserve >= 0.0,
-          "mass and payback must be positive, the reserve not negative");
+  require(o.passivity.mass > 0.0 && o.passivity.payback > 0.0 && o.passivity.reserve >= 0.0 &&
+              o.passivity.tolerance >= 0.0,
+          "mass and payback must be positive, reserve and tolerance not negative");
   require(o.safety.most_force >= 0.0 && o.safety.continuous_force > 0.0 && o.safety.thermal_time > 0.0,
           "the force limits must not be negative, continuous force and thermal time positive");
   require(o.safety.most_rate > 0.0 && o.safety.most_step > 0.0 && o.safety.most_power > 0.0 &&
@@ -73,7 +74,8 @@ bool ForcePath::accept(const DeviceSample& sample, double dt) noexcept {
 ToolPose ForcePath::follow(const DeviceSample& sample, double dt) noexcept {
   ++counters_.ticks;
   status_ = kForceFine;
-  dt_ = std::isfinite(dt) && dt > 0.0 ? dt : 0.0;
+  // A second is as good as a week, and no broken clock may carry time_ to where a tick is lost in rounding.
+  dt_ = std::isfinite(dt) && dt > 0.0 ? std::min(dt, 1.0) : 0.0;
   time_ += dt_;
   good_ = accept(sample, dt);
   ToolPose pose;
@@ -95,8 +97,13 @@ ToolPose ForcePath::follow(const DeviceSample& sample, double dt) noexcept {
   passivity_.move(position_);
   pose.ledger = passivity_.ledger();
   if (clutched_) return pose;
-  if (closing_) options_.map.close_clutch(tool_, position_);
-  closing_ = false;
+  if (closing_) {
+    options_.map.close_clutch(tool_, position_);
+    // The model as it was lies elsewhere on the device now.
+    coupled_ = couple(options_.map.to_device(model_), options_.stable_stiffness);
+    blend_left_ = 0.0;
+    closing_ = false;
+  }
   // The tool is ahead of the device by what the coupling gives way.
   const Vec3 pull = coupled_.compliance > 0.0
                         ? Vec3(coupled_.compliance * model_force(coupled_.model, position_, velocity_, time_))
@@ -116,6 +123,7 @@ void ForcePath::take_model() noexcept {
     return;
   }
   const Vec3 shown = blended_force();
+  model_ = model;
   const bool first = coupled_.model.number == 0;
   coupled_ = couple(options_.map.to_device(model), options_.stable_stiffness);
   passivity_.audit(coupled_.model, gain_);

@@ -62,7 +62,7 @@ class ForcePath {
 
   /// Where the cloth puts its models.
   Mailbox<LocalModel>& models() noexcept { return models_; }
-  /// @param sample of now @param dt since the last tick [s]; not positive or not finite counts as a bad tick
+  /// @param sample of now @param dt since the last tick [s]; not positive or not finite counts as a late tick
   /// Thread class: real-time.
   ToolPose follow(const DeviceSample& sample, double dt) noexcept;
   /// The force at the sample of the last follow(). Thread class: real-time.
@@ -77,7 +77,7 @@ class ForcePath {
 
   const WorkspaceMap& map() const noexcept { return options_.map; }
   const ForceCounters& counters() const noexcept { return counters_; }
-  double time() const noexcept { return time_; }  ///< sum of all dt [s]
+  double time() const noexcept { return time_; }  ///< sum of all dt, none counted for more than a second [s]
 
  private:
   bool accept(const DeviceSample& sample, double dt) noexcept;
@@ -89,7 +89,8 @@ class ForcePath {
   VelocityFilter filter_;
   Passivity passivity_;
   SafetyLimiter limiter_;
-  CoupledModel coupled_;
+  LocalModel model_;      // the newest, as the cloth gave it
+  CoupledModel coupled_;  // the same as the device feels it
   ForceCounters counters_;
   double time_ = 0.0, dt_ = 0.0, gain_ = 0.0, blend_left_ = 0.0;
   Vec3 position_, velocity_ = Vec3::Zero(), tool_ = Vec3::Zero(), blend_force_ = Vec3::Zero();

@@ -31,21 +31,21 @@ void Passivity::expect(const Vec3& force) noexcept {
 }
 
 void Passivity::audit(const LocalModel& model, double gain) noexcept {
-  // Without a stored energy the leak is all that is known.
-  const bool known = has_model_ && std::isfinite(model.stored_energy) && std::isfinite(audited_stored_);
-  if (has_model_) {
-    audited_ += known ? model.ledger.work - audited_work_ - gain * (model.stored_energy - audited_stored_)
-                      : model.ledger.leak - audited_leak_;
+  // A model that does not tell what is stored leaves the last audit standing; the leak goes on from there.
+  if (has_audit_ && !std::isfinite(model.stored_energy)) return;
+  if (has_audit_) {
+    const double stored = model.stored_energy - audited_stored_;
+    audited_ += model.ledger.work - audited_work_ - gain * stored;
     audited_ = std::min(audited_, options_.reserve);
   }
   audited_work_ = model.ledger.work;
   audited_leak_ = model.ledger.leak;
   audited_stored_ = model.stored_energy;
-  has_model_ = true;
+  has_audit_ = std::isfinite(model.stored_energy);
 }
 
 Vec3 Passivity::brake(const Vec3& velocity, double dt) const noexcept {
-  const double debt = -energy(), square = velocity.squaredNorm();
+  const double debt = -energy() - options_.tolerance, square = velocity.squaredNorm();
   if (!options_.control || !(debt > 0.0) || !(square > 0.0)) return Vec3::Zero();
   const double most = 0.45 * options_.mass / dt;
   return -std::min(most, debt / (options_.payback * square)) * velocity;

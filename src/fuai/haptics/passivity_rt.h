@@ -6,11 +6,12 @@
 //   W   work of the hand on the port, sum of -F[k-1].(x[k] - x[k-1]), F as it was given
 //   L   of it, the leak: what it differs by from the trapezoid rule on the model's force, which is what a
 //       port without sampling would exchange
-//   A   audited with every model: A += dW - dS between the moments of two models, S stored in the cloth; at
-//       most `reserve`
-//   E   = A + (L - L of the model's moment)
+//   A   audited with every model that tells S, the energy stored in the cloth: A += dW - dS between the
+//       moments of two such models; at most `reserve`
+//   E   = A + (L - L of the last audit's moment)
 //
-//   While E < 0 the controller brakes: F -= alpha v, alpha = -E / (payback v^2), at most 0.45 m / dt.
+//   While E < -tolerance the controller brakes: F -= alpha v, alpha = -(E + tolerance) / (payback v^2), at
+//   most 0.45 m / dt.
 #pragma once
 
 #include "fuai/haptics/local_model_rt.h"
@@ -21,6 +22,8 @@ namespace fuai {
 struct PassivityOptions {
   bool control = true;      ///< brake; else only observe
   double reserve = 0.5e-3;  ///< most energy that the cloth's losses may save up for later [J]
+  double tolerance = 1e-4;  ///< debt that is not called in [J]: a tenth of what a hand may be given, and far
+                            ///< above what encoder steps make of nothing
   double payback = 0.005;   ///< time in which a debt is paid [s]; one tick would turn encoder steps to kicks
   double mass = 0.045;      ///< of the device [kg]: bounds the brake, 0.45 m / dt is half of a dead stop
 };
@@ -52,7 +55,7 @@ class Passivity {
  private:
   PassivityOptions options_;
   PortLedger ledger_;
-  bool started_ = false, has_model_ = false;
+  bool started_ = false, has_audit_ = false;
   Vec3 position_ = Vec3::Zero(), way_ = Vec3::Zero();
   Vec3 given_ = Vec3::Zero(), expected_ = Vec3::Zero();
   double audited_ = 0.0, audited_leak_ = 0.0, audited_work_ = 0.0, audited_stored_ = 0.0;

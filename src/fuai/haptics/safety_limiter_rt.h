@@ -70,10 +70,10 @@ class SafetyLimiter {
   void restart() noexcept { ramp_ = 0.0; }
   /// Latches faults. Thread class: real-time.
   void latch(std::uint32_t faults) noexcept { faults_ |= faults & kForceFaults; }
-  /// Clears them and begins anew. Thread class: any, while no tick runs.
+  /// Clears them and begins anew; without faults it does nothing. Thread class: real-time.
   void reset() noexcept {
+    if (faults_ != 0) restart();
     faults_ = 0;
-    restart();
   }
   std::uint32_t faults() const noexcept { return faults_; }
 
