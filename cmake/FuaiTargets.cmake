@@ -17,10 +17,37 @@ if(FUAI_ASSERTIONS)
   target_compile_definitions(fuai_options INTERFACE FUAI_ASSERTIONS=1)
 endif()
 if(FUAI_SANITIZE)
+  # Each instruction set of the kernels takes half a minute to instrument.
+  target_compile_definitions(fuai_options INTERFACE FUAI_FEWER_TARGETS=1)
   # Global on purpose: every object of a sanitizer build has to be instrumented.
   add_compile_options(-fsanitize=${FUAI_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${FUAI_SANITIZE})
 endif()
+
+# fuai_precompiled(<target>)
+# Gives a target the precompiled headers, of which there is one set for libraries and one for programs: g++ takes
+# none that was made with other flags.
+function(fuai_precompiled target)
+  if(NOT FUAI_PRECOMPILE)
+    return()
+  endif()
+  get_target_property(independent ${target} POSITION_INDEPENDENT_CODE)
+  if(independent)
+    set(holder fuai_headers_libraries)
+  else()
+    set(holder fuai_headers_programs)
+  endif()
+  if(NOT TARGET ${holder})
+    file(WRITE "${CMAKE_BINARY_DIR}/${holder}.cpp" "// Only the headers.\n")
+    add_library(${holder} OBJECT "${CMAKE_BINARY_DIR}/${holder}.cpp")
+    set_target_properties(${holder} PROPERTIES POSITION_INDEPENDENT_CODE ${independent})
+    target_link_libraries(${holder} PRIVATE Eigen3::Eigen fuai_options)
+    target_precompile_headers(${holder} PRIVATE
+      <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cmath> <cstdint> <functional> <limits> <memory> <optional> <span>
+      <string> <string_view> <utility> <vector>)
+  endif()
+  target_precompile_headers(${target} REUSE_FROM ${holder})
+endfunction()
 
 # fuai_layer(<name> SOURCES ... HEADERS ... [PUBLIC libs...] [PRIVATE libs...])
 # One layer of src/fuai/LAYERS as the static library fuai_<name>, alias fuai::<name>.
@@ -34,6 +61,7 @@ function(fuai_layer name)
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:fuai_options>)
+  fuai_precompiled(${target})
   set_property(GLOBAL APPEND PROPERTY FUAI_LAYER_TARGETS ${target})
   foreach(header IN LISTS arg_HEADERS)
     set_property(GLOBAL APPEND PROPERTY FUAI_HEADERS "fuai/${name}/${header}")
@@ -48,6 +76,7 @@ function(fuai_tests layer)
   set(target test_${layer})
   add_executable(${target} ${arg_SOURCES})
   target_link_libraries(${target} PRIVATE fuai_test_support ${arg_LIBRARIES} fuai_options)
+  fuai_precompiled(${target})
   set(suites)
   foreach(source IN LISTS arg_SOURCES)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")

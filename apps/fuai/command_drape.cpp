@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,6 +22,22 @@ namespace fuai_app {
 using namespace fuai;
 
 namespace {
+
+struct DrapeCommandOptions {
+  std::string fabric;
+  std::string disc = "18cm";      ///< diameter with unit
+  std::string specimen = "30cm";  ///< diameter with unit
+  std::string spacing = "5mm";    ///< with unit
+  int runs = 5;                   ///< specimens
+  std::string path = "ramp";      ///< ramp, release, shakes or support
+  std::string solver = "implicit";
+  std::string loading = "2s";  ///< time with unit, of the ramp or of lowering the support
+  std::string linger;          ///< time with unit to go on at rest; empty: none
+  std::string out;             ///< folder; empty: no files
+  bool elastic = false;        ///< without friction
+  bool no_bands = false;       ///< assumptions are not tried
+  bool convergence = false;    ///< at other spacings too
+};
 
 /// A measured drape coefficient belongs to a geometry when both sizes agree this well [m].
 constexpr double kSameSize = 1e-3;
@@ -229,8 +246,6 @@ std::vector<std::string> write_files(const std::string& out, const Fabric& fabri
   return names;
 }
 
-}  // namespace
-
 int run_drape(const Console& console, const DrapeCommandOptions& command) {
   const DrapeTestOptions options = options_of(console, command);
   const Fabric fabric = load_fabric(command.fabric);
@@ -264,6 +279,37 @@ int run_drape(const Console& console, const DrapeCommandOptions& command) {
               "a specimen did not come to rest: " + format_number(test.residual()) +
                   " of a node's weight is out of balance",
               {}, "take another --spacing");
+}
+
+}  // namespace
+
+void declare_drape(const Command& parent) {
+  const auto options = std::make_shared<DrapeCommandOptions>();
+  constexpr int kMostSpecimens = 1000;
+  const Command command =
+      parent.command("drape", "The drape test: drape coefficient, nodes, shadow, pictures, mesh");
+  command.option("FABRIC", options->fabric, "Bundled name or path of a fabric file").required();
+  command.option("--disc", options->disc, "Diameter of the disc with unit");
+  command.option("--specimen", options->specimen, "Diameter of the cloth with unit");
+  command.option("--spacing", options->spacing, "Distance of the nodes with unit");
+  command.option("--runs", options->runs, "Specimens, each with a seed of its own").range(1, kMostSpecimens);
+  command
+      .option("--path", options->path,
+              "How the weight comes on: gravity ramp, sudden release, ramp and three shakes, lowered support")
+      .among({"ramp", "release", "shakes", "support"});
+  command.option("--ramp", options->loading, "How long the weight, or the support, takes, e.g. 4s");
+  command.flag("--elastic", options->elastic, "Without friction: the elastic curves of the laws alone");
+  command.flag("--no-bands", options->no_bands, "Do not try the ends of what was assumed");
+  command.flag("--convergence", options->convergence,
+               "At 2, 1.5, 1 and 0.75 times the spacing too, with a plot in --out");
+  command.option("--solver", options->solver, "implicit, or explicit: the oracle, minutes a specimen")
+      .among({"implicit", "explicit"});
+  command.option("--linger", options->linger, "Goes on so long once the cloth rests, e.g. 2s");
+  command.option("--out", options->out, "Folder for shadow, pictures, mesh and tables");
+  command.examples({"fuai drape wool-tropical --out drape",
+                    "fuai drape polyester-faille --disc 12.7cm --specimen 25.4cm",
+                    "fuai --json --seed 7 drape graded-6 --runs 2 --elastic"});
+  command.body([options](const Console& console) { return run_drape(console, *options); });
 }
 
 }  // namespace fuai_app

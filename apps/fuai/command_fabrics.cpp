@@ -39,8 +39,6 @@ std::string first_source(Fabric& fabric) {
   return fabric.areal_mass.provenance.source;
 }
 
-}  // namespace
-
 int run_fabrics(const Console& console) {
   JsonValue list{JsonValue::Array{}};
   for (const std::string& id : bundled_fabric_ids()) {
@@ -61,6 +59,14 @@ int run_fabrics(const Console& console) {
   }
   console.result(JsonValue().set("fabrics", std::move(list)));
   return 0;
+}
+
+}  // namespace
+
+void declare_fabrics(const Command& parent) {
+  const Command command = parent.command("fabrics", "List the bundled fabrics, one line each");
+  command.examples({"fuai fabrics", "fuai --json fabrics"});
+  command.body(run_fabrics);
 }
 
 }  // namespace fuai_app

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <set>
+#include <string>
 
 #include "commands.h"
 #include "fabric_text.h"
@@ -22,6 +24,16 @@ namespace fuai_app {
 namespace {
 
 using namespace fuai;
+
+struct ImportOptions {
+  std::vector<std::string> files;
+  std::string output;
+  std::string name;       ///< replaces the name found in the files
+  std::string mass;       ///< with unit; needed with curve files alone
+  std::string thickness;  ///< with unit
+  std::string test;       ///< for curve files without a fuai-curve line
+  std::string direction;  ///< the same
+};
 
 /// What a file to import is, by its name and first bytes.
 enum class FileKind { kPhysicsJson, kFabricFile, kCurve, kSheet };
@@ -227,8 +239,6 @@ void make_folder(const std::string& folder) {
   }
 }
 
-}  // namespace
-
 int run_import(const Console& console, const ImportOptions& options) {
   // 1. Everything that can be wrong with the measurements, before anything is written.
   std::vector<std::string> fits;
@@ -263,6 +273,31 @@ int run_import(const Console& console, const ImportOptions& options) {
   json.set("fabrics", std::move(list));
   console.result(json);
   return 0;
+}
+
+}  // namespace
+
+void declare_import(const Command& parent) {
+  const auto options = std::make_shared<ImportOptions>();
+  const Command command = parent.command(
+      "import", "Measurements in: U3M/FAB physics JSON, KES curve CSV, KES sheet -> fabric file");
+  command.option("FILE", options->files, "Files of one fabric; one KES sheet may hold several fabrics")
+      .required();
+  command
+      .option("-o,--output", options->output, "Fabric file to write; a folder for a sheet of several fabrics")
+      .required();
+  command.option("--name", options->name, "Name of the fabric, instead of the one in the file");
+  command.option("--mass", options->mass,
+                 "Areal mass with unit, e.g. '16.3 mg/cm2'; needed with curve files alone");
+  command.option("--thickness", options->thickness, "Thickness with unit, e.g. 0.4mm");
+  command.option("--test", options->test,
+                 "Test of a curve file that does not say: bending, shear, tensile, compression");
+  command.option("--direction", options->direction,
+                 "Direction of a curve file that does not say: warp, weft, bias");
+  command.examples({"fuai fabric import cupro.physics.json -o cupro.fabric.toml",
+                    "fuai fabric import bend-warp.csv bend-weft.csv --mass '16 mg/cm2' -o wool.fabric.toml",
+                    "fuai fabric import kes-sheet.csv -o fabrics/"});
+  command.body([options](const Console& console) { return run_import(console, *options); });
 }
 
 }  // namespace fuai_app

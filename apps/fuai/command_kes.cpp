@@ -2,25 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <charconv>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <string_view>
 
 #include "commands.h"
-#include "fabric_text.h"
 #include "fuai/core/error.h"
 #include "fuai/io/curve_csv.h"
 #include "fuai/io/fabric_library.h"
-#include "fuai/io/text_file.h"
 #include "fuai/laboratory/kes_round_trip.h"
 #include "fuai/units/constants.h"
 #include "fuai/units/parse.h"
+#include "kes_text.h"
 
 namespace fuai_app {
 namespace {
 
 using namespace fuai;
-
-constexpr int kPlotWidth = 900, kPlotHeight = 640;  // [pt]
 
 Test test_of(const std::string& word) {
   return word == "bending" ? Test::kBending : (word == "shear" ? Test::kShear : Test::kTensile);
@@ -66,21 +64,6 @@ KesTest test_of(const KesCommandOptions& options) {
   return test;
 }
 
-void check_plot_name(const std::string& name) {
-  if (name.empty() || name.ends_with(".svg") || name.ends_with(".png")) return;
-  throw Error(ErrorKind::kUsage, "--plot: cannot tell the kind of picture of '" + name + "'", {},
-              "end the name in .png or .svg");
-}
-
-JsonValue json_of(const std::vector<KesValue>& values) {
-  JsonValue json{JsonValue::Object{}};
-  for (const KesValue& v : values) {
-    const KesQuantity& q = kes_quantity(v.quantity);
-    json.set(std::string(q.key), v.value / q.to_si);
-  }
-  return json;
-}
-
 std::string direction_of(const KesTest& test) {
   if (!test.direction && test.test == Test::kShear) return "mean";
   return to_string(test.direction.value_or(Direction::kWarp));
@@ -90,31 +73,13 @@ void print(const Console& console, const Fabric& fabric, const KesRoundTrip& tri
   const std::string direction = direction_of(trip.test);
   console.line(fabric.name + ", " + to_string(trip.test.test) + ", " +
                (direction == "mean" ? "mean of warp and weft" : direction));
-  console.line("  " + padded("symbol", 8) + padded("simulated", 12) + padded("fabric", 12) +
-               padded("difference", 12) + "unit");
-  for (std::size_t i = 0; i < trip.simulated.size(); ++i) {
-    const KesQuantity& q = kes_quantity(trip.simulated[i].quantity);
-    const double simulated = trip.simulated[i].value, own = trip.input[i].value;
-    const auto shown = [&](double value) {
-      return std::isnan(value) ? std::string("-") : format_number(value / q.to_si);
-    };
-    const double difference = 100.0 * (simulated - own) / own;
-    console.line("  " + padded(std::string(q.symbol), 8) + padded(shown(simulated), 12) +
-                 padded(shown(own), 12) +
-                 padded(std::isfinite(difference) ? format_number(difference) + " %" : "-", 12) +
-                 std::string(q.kes_unit));
-  }
+  print_kes_values(console, trip.simulated, trip.input);
   console.line("loop: " + format_number(100.0 * trip.loop_rms) + " % of its peak (rms) from the " +
                (trip.loop_measured ? "measured curve, as one cycle" : "law of the fabric"));
 }
 
-}  // namespace
-
-int run_kes(const Console& console, const KesCommandOptions& options) {
-  check_plot_name(options.plot);
+int run_instrument(const Console& console, const KesCommandOptions& options, const Fabric& fabric) {
   const KesTest test = test_of(options);
-  const Fabric fabric = load_fabric(options.fabric);
-  for (const std::string& warning : fabric.warnings) console.warn(warning);
   const KesRoundTrip trip = run_kes_round_trip(fabric, test, console.progress());
   print(console, fabric, trip);
   for (const std::string& note : trip.notes) console.detail("assumed: " + note);
@@ -122,16 +87,10 @@ int run_kes(const Console& console, const KesCommandOptions& options) {
     write_curve_csv(options.csv, trip.record.curve);
     console.say("wrote " + options.csv);
   }
-  if (!options.plot.empty()) {
-    const PlotGrid grid{{}, 1, {kes_plot(fabric, trip)}};
-    write_atomically(options.plot, options.plot.ends_with(".svg")
-                                       ? plot_svg(grid, kPlotWidth, kPlotHeight)
-                                       : plot_png(grid, kPlotWidth, kPlotHeight, 1.0));
-    console.say("wrote " + options.plot);
-  }
-  JsonValue json = json_of(trip.simulated), notes{JsonValue::Array{}};
+  write_kes_plot(console, options.plot, kes_plot(fabric, trip));
+  JsonValue json = kes_json(trip.simulated), notes{JsonValue::Array{}};
   for (const std::string& note : trip.notes) notes.push(note);
-  json.set("input", json_of(trip.input)).set("stated", json_of(trip.stated));
+  json.set("input", kes_json(trip.input)).set("stated", kes_json(trip.stated));
   json.set("loop_rms_percent", 100.0 * trip.loop_rms);
   json.set("loop", trip.loop_measured ? "measured" : "law");
   json.set("test", to_string(test.test)).set("direction", direction_of(test)).set("fabric", fabric.id);
@@ -140,6 +99,52 @@ int run_kes(const Console& console, const KesCommandOptions& options) {
     json.set("edge_share_percent", 100.0 * trip.record.edge_share).set("stretch", trip.record.stretch);
   console.result(json.set("assumptions", notes));
   return 0;
+}
+
+int run_kes(const Console& console, const KesCommandOptions& options) {
+  check_plot_name(options.plot);
+  const bool fab = options.test == "buckling" || options.test == "stretch";
+  if (fab && (!options.reverse.empty() || !options.spacing.empty())) {
+    throw Error(ErrorKind::kUsage, "the tests of the Fabric Analyzer have a path and a lattice of their own",
+                {}, "leave --reverse and --spacing out");
+  }
+  const Fabric fabric = load_fabric(options.fabric);
+  for (const std::string& warning : fabric.warnings) console.warn(warning);
+  return fab ? run_fab(console, options, fabric) : run_instrument(console, options, fabric);
+}
+
+}  // namespace
+
+void declare_kes(const Command& parent) {
+  const auto options = std::make_shared<KesCommandOptions>();
+  const Command command = parent.command(
+      "kes",
+      "A fabric in a virtual instrument (KES, or the Fabric Analyzer): the loop and its parameters beside "
+      "the fabric's own");
+  command
+      .option("TEST", options->test,
+              "bending (FB2), tensile or shear (FB1); buckling or stretch as the Fabric Analyzer does them")
+      .among({"bending", "tensile", "shear", "buckling", "stretch"})
+      .required();
+  command.option("FABRIC", options->fabric, "Bundled name or path of a fabric file").required();
+  command
+      .option("--direction", options->direction,
+              "Yarns from clamp to clamp: warp or weft. Default: warp; in shear the mean of both")
+      .among({"warp", "weft"});
+  command.option("--reverse", options->reverse,
+                 "Partial reversals on the way to the first stop, OUT or OUT:BACK in 1/cm, degrees or "
+                 "percent; BACK is 0, in tension no load, where it is left out");
+  command.option("--spacing", options->spacing,
+                 "Distance of the nodes with unit; must divide the specimen's length, 1 cm in bending, "
+                 "else 5 cm. Default: 2 mm in bending, 5 mm in shear, 1 cm in tension");
+  command.option("--csv", options->csv, "Write the simulated curve as a curve file");
+  command.option("--plot", options->plot,
+                 "Draw the simulated loop over the fabric's into FILE.png or FILE.svg");
+  command.examples({"fuai kes bending wool-tropical",
+                    "fuai kes shear wool-tropical --plot shear.png --csv shear.csv",
+                    "fuai --json kes tensile cupro-woven-su1098 --direction weft",
+                    "fuai kes bending polyester-faille --reverse 0.5 1 1.5:0.5 --plot minor.svg"});
+  command.body([options](const Console& console) { return run_kes(console, *options); });
 }
 
 }  // namespace fuai_app

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
 #include <filesystem>
+#include <memory>
+#include <string>
 
 #include "commands.h"
 #include "fuai/core/error.h"
@@ -12,6 +14,11 @@ namespace fuai_app {
 namespace {
 
 using namespace fuai;
+
+struct PaperOptions {
+  std::string out = "out/paper";
+  int figure = 0;  ///< 0: all; 1, 4, 6, 7 or 8
+};
 
 JsonValue run_json(const PaperSummaryRow& run) {
   JsonValue value;
@@ -28,8 +35,6 @@ void print_run(const Console& console, const PaperSummaryRow& run) {
                 run.residual_node_weights, run.converged ? "at rest    " : "not at rest", run.seconds);
   console.line(text);
 }
-
-}  // namespace
 
 int run_paper(const Console& console, const PaperOptions& options) {
   std::error_code code;
@@ -62,6 +67,18 @@ int run_paper(const Console& console, const PaperOptions& options) {
   if (all_at_rest) return 0;
   console.warn("a corrected experiment did not come to rest; the page says which");
   return 1;
+}
+
+}  // namespace
+
+void declare_paper(const Command& parent) {
+  const auto options = std::make_shared<PaperOptions>();
+  const Command command =
+      parent.command("paper", "Remake the founding paper's figures as a page: index.html, PNG, CSV");
+  command.option("--out", options->out, "Folder to write into");
+  command.option("--figure", options->figure, "Only this figure").among({1, 4, 6, 7, 8});
+  command.examples({"fuai paper", "fuai paper --figure 4 --out /tmp/figure4"});
+  command.body([options](const Console& console) { return run_paper(console, *options); });
 }
 
 }  // namespace fuai_app

@@ -1,7 +1,9 @@
 // `fuai scenes` and `fuai render`.
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
+#include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -20,6 +22,19 @@ namespace fuai_app {
 
 using namespace fuai;
 
+namespace {
+
+struct RenderOptions {
+  std::string scene;
+  std::string fabric = "cupro-woven-su1098";
+  std::string time;     ///< with unit; empty: the scene's own, of the paper's until it is at rest
+  int size = 0;         ///< nodes a side; 0: the scene's own
+  std::string spacing;  ///< with unit; empty: the scene's own
+  std::string output;
+  int width = 1280, height = 800;
+  bool as_printed = false;
+};
+
 int run_scenes(const Console& console) {
   JsonValue list{JsonValue::Array{}};
   for (const SceneEntry& entry : scene_entries()) {
@@ -35,8 +50,6 @@ int run_scenes(const Console& console) {
   console.result(JsonValue().set("scenes", std::move(list)));
   return 0;
 }
-
-namespace {
 
 /// Pictures are taken of a run in steps of this length [s].
 constexpr double kRenderStep = 0.001;
@@ -114,8 +127,6 @@ void check_render_options(const RenderOptions& options, SceneKind kind) {
   }
 }
 
-}  // namespace
-
 int run_render(const Console& console, const RenderOptions& options) {
   const SceneKind kind = named_scene(options.scene).kind;
   check_render_options(options, kind);
@@ -137,6 +148,35 @@ int run_render(const Console& console, const RenderOptions& options) {
   json.set("file", options.output).set("scene", options.scene).set("fabric", fabric.id);
   console.result(json);
   return 0;
+}
+
+}  // namespace
+
+void declare_scenes(const Command& parent) {
+  const Command command = parent.command("scenes", "List the scenes, one line each");
+  command.examples({"fuai scenes", "fuai --json scenes"});
+  command.body(run_scenes);
+}
+
+void declare_render(const Command& parent) {
+  const auto options = std::make_shared<RenderOptions>();
+  constexpr int kLeastPixels = 16, kMostPixels = 8192;
+  const Command command = parent.command("render", "A picture of a scene, without a display");
+  command.option("SCENE", options->scene, "A name that `fuai scenes` lists").required();
+  command.option("--fabric", options->fabric, "Bundled name or path of a fabric file");
+  command.option("--time", options->time,
+                 "Time with unit, e.g. 2s. Default: when the scene shows what it is about. Scenes of the "
+                 "paper count ten updates a second, as the paper did; their default: at rest");
+  command.option("-o,--output", options->output, "PNG file to write").required();
+  declare_size(command, options->size, options->spacing);
+  command.option("--width", options->width, "Pixels").range(kLeastPixels, kMostPixels);
+  command.option("--height", options->height, "Pixels").range(kLeastPixels, kMostPixels);
+  command.flag("--as-printed", options->as_printed,
+               "The paper's method with all its faults, instead of the corrected one");
+  command.examples({"fuai render hanging_sheet --fabric wool-tropical --time 2s -o sheet.png",
+                    "fuai render corner_drape --spacing 5mm -o drape.png",
+                    "fuai render paper_drape --fabric graded-10 --time 30s --as-printed -o paper.png"});
+  command.body([options](const Console& console) { return run_render(console, *options); });
 }
 
 }  // namespace fuai_app

@@ -1,6 +1,8 @@
 // `fuai fabric show`.
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <memory>
+#include <string>
 
 #include "commands.h"
 #include "fabric_text.h"
@@ -14,6 +16,11 @@ namespace fuai_app {
 namespace {
 
 using namespace fuai;
+
+struct ShowOptions {
+  std::string fabric;
+  std::string plot;  ///< .png or .svg; empty: none
+};
 
 constexpr int kPlotWidth = 1400, kPlotHeight = 900;  // pixels
 
@@ -102,8 +109,6 @@ void write_plot(const Console& console, const std::string& path, const Fabric& f
   console.say("wrote " + path);
 }
 
-}  // namespace
-
 int run_show(const Console& console, const ShowOptions& options) {
   const bool plotted = !options.plot.empty();
   if (plotted && !options.plot.ends_with(".svg") && !options.plot.ends_with(".png")) {
@@ -135,6 +140,18 @@ int run_show(const Console& console, const ShowOptions& options) {
   if (plotted) json.set("plot", options.plot);
   console.result(json);
   return 0;
+}
+
+}  // namespace
+
+void declare_show(const Command& parent) {
+  const auto options = std::make_shared<ShowOptions>();
+  const Command command = parent.command("show", "Every parameter in KES units and SI with its provenance");
+  command.option("FABRIC", options->fabric, "Bundled name or path of a fabric file").required();
+  command.option("--plot", options->plot, "Draw measured points and fitted loops into FILE.png or FILE.svg");
+  command.examples(
+      {"fuai fabric show wool-tropical", "fuai fabric show cupro-woven-su1098 --plot cupro.svg"});
+  command.body([options](const Console& console) { return run_show(console, *options); });
 }
 
 }  // namespace fuai_app

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -23,6 +24,19 @@ namespace fuai_app {
 using namespace fuai;
 
 namespace {
+
+struct SimulateOptions {
+  std::string scene;
+  std::string fabric = "cupro-woven-su1098";
+  int size = 0;            ///< nodes a side; 0: the scene's own
+  std::string spacing;     ///< with unit; empty: the scene's own
+  std::string dt = "1ms";  ///< with unit
+  std::string seconds;     ///< a number of seconds, or a time with unit; empty: the scene's own
+  std::string solver = "implicit";
+  int iterations = 0;     ///< 0: the solver's own
+  std::string precision;  ///< empty: the solver's own
+  std::string record;     ///< CSV file; empty: none
+};
 
 constexpr double kLeastStep = 1e-6, kMostStep = 1.0;  // [s]
 /// Ticks of a record: 160 MB of text.
@@ -254,8 +268,6 @@ Plan make_plan(const SimulateOptions& options, const EngineScene& scene, const S
   return plan;
 }
 
-}  // namespace
-
 int run_simulate(const Console& console, const SimulateOptions& options) {
   if (named_scene(options.scene).kind == SceneKind::kPaper) {
     throw Error(
@@ -292,6 +304,43 @@ int run_simulate(const Console& console, const SimulateOptions& options) {
   throw Error(ErrorKind::kCheckFailed,
               "a number went wrong in " + std::to_string(run.status_ticks.front()) + " steps", {},
               "take a smaller --dt or more --iterations");
+}
+
+}  // namespace
+
+void declare_simulate(const Command& parent) {
+  const auto options = std::make_shared<SimulateOptions>();
+  constexpr int kMostIterations = 1000;
+  const Command command = parent.command(
+      "simulate", "A scene in time on the cloth engine or another solver: state, force, energy, time a step");
+  command.option("SCENE", options->scene, "A name that `fuai scenes` lists, not one of the paper's")
+      .required();
+  command.option("--fabric", options->fabric, "Bundled name or path of a fabric file");
+  declare_size(command, options->size, options->spacing);
+  command.option("--dt", options->dt, "Length of a step with unit, 1us to 1s");
+  command.option(
+      "--seconds", options->seconds,
+      "How long, up to 3600; a number of seconds or a time such as 500ms. Default: the scene's own");
+  std::string solvers = "Who computes:";
+  for (const SolverEntry& entry : solver_entries())
+    solvers.append("\n").append(entry.name).append(" - ").append(entry.description);
+  command.option("--solver", options->solver, solvers);
+  command
+      .option("--iterations", options->iterations,
+              "Conjugate gradients a linearisation, default 8; substeps of the explicit solver, default as "
+              "many as are safe; steps of the paper's in a tick, default 100")
+      .range(1, kMostIterations);
+  command
+      .option("--precision", options->precision,
+              "Of the implicit solver: float, as at run time, or double, as --solver double")
+      .among({"float", "double"});
+  command.option("--record", options->record,
+                 "CSV file with a row a step: time, hand, force, moment, status, residual");
+  command.examples({"fuai simulate hanging_sheet",
+                    "fuai simulate taut_patch --fabric wool-tropical --seconds 1 --record pull.csv",
+                    "fuai --json simulate corner_drape --spacing 5mm --dt 500us --solver double",
+                    "fuai simulate corner_drape --solver paper"});
+  command.body([options](const Console& console) { return run_simulate(console, *options); });
 }
 
 }  // namespace fuai_app

@@ -46,6 +46,13 @@ const SolverEntry& named_solver(const std::string& name, const std::string& prec
               {}, "leave --precision out");
 }
 
+void declare_size(const Command& command, int& size, std::string& spacing) {
+  command.option("--size", size, "Nodes on the longer side; default: the scene's own (`fuai scenes`)")
+      .range(kLeastSceneSize, kMostSceneSize);
+  command.option("--spacing", spacing,
+                 "Distance of the nodes with unit, e.g. 5mm; default: the scene's own, 1cm");
+}
+
 SceneOptions scene_options(int size, const std::string& spacing) {
   SceneOptions options;
   options.size = size;

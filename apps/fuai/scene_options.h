@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "command_line.h"
 #include "fuai/scenes/catalogue.h"
 
 namespace fuai_app {
@@ -20,6 +21,9 @@ const fuai::SceneEntry& named_scene(const std::string& name);
 /// @param precision "float", "double", or empty: the solver's own. The implicit solver has both.
 /// @throws Error (kUsage) with the nearest name and all names, and for a precision that it does not have.
 const fuai::SolverEntry& named_solver(const std::string& name, const std::string& precision);
+
+/// The options --size and --spacing.
+void declare_size(const Command& command, int& size, std::string& spacing);
 
 /// @param spacing with unit, or empty. @throws Error (kUsage).
 fuai::SceneOptions scene_options(int size, const std::string& spacing);

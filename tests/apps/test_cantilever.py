@@ -5,23 +5,13 @@ SPDX-License-Identifier: Apache-2.0
 import math
 import unittest
 
-from program_tools import Case
+from program_tools import FABRIC, Case
 
 KEYS = {"reach_m", "droop_m", "tip_angle_deg", "chord_angle_deg", "bending_length_m", "bending_length_peirce_m",
         "bending_rigidity_gf_cm2_per_cm", "length_m", "width_m", "spacing_m", "direction", "elastic", "residual",
         "converged", "steps", "assumptions", "fabric"}
 # Straight bending laws without friction in the elastic form, as measured: B [gf cm2/cm] and W [mg/cm2].
-FABRIC = """format = "fuai-fabric/1"
-name = "Straight"
-[weight]
-W_mg_per_cm2 = 16
-[provenance]
-"weight" = { kind = "measured", source = "made up" }
-"bending" = { kind = "measured", source = "made up" }
-[bending.warp]
-B_gf_cm2_per_cm = 0.06
-2HB_gf_cm_per_cm = 0.03
-[bending.weft]
+STRAIGHT = FABRIC + """[bending.weft]
 B_gf_cm2_per_cm = 0.12
 2HB_gf_cm_per_cm = 0.03
 """
@@ -37,7 +27,7 @@ def bending_length(rigidity):
 
 class Unit(Case):
     def hang(self, *words, **options):
-        self.write("straight.fabric.toml", FABRIC)
+        self.write("straight.fabric.toml", STRAIGHT)
         return self.json_of("cantilever", "straight.fabric.toml", *words, **options)
 
     def test_the_elastica_and_the_keys_of_the_contract(self):
@@ -105,7 +95,7 @@ class Safety(Case):
 
     def test_bad_input_is_exit_code_3(self):
         self.refuse("cantilever", "none", "--length", "5cm", says="no bundled fabric")
-        self.write("bad.fabric.toml", FABRIC.replace("0.06", "-0.06"))
+        self.write("bad.fabric.toml", STRAIGHT.replace("0.06", "-0.06"))
         self.refuse("cantilever", "bad.fabric.toml", "--length", "5cm", says="bad.fabric.toml")
 
 

@@ -11,21 +11,11 @@
 #include "support/linear_laws.h"
 
 using namespace fuai;
-
-namespace {
-
-FabricLaws cloth_laws() {
-  FabricLaws laws = fuai_test::linear_laws(0.06, 0.02, 160.0);
-  laws.shear = make_shear_law(0.8 * unit::kGfPerCmDeg, 1.5 * unit::kGfPerCm, 3.0 * unit::kGfPerCm);
-  for (PlayLaw& law : laws.tensile) law = make_tensile_law(0.7, 0.6, 0.05, 500.0 * unit::kGfPerCm);
-  return laws;
-}
-
-}  // namespace
+using fuai_test::middling_laws;
 
 TEST_SUITE("unit") {
   TEST_CASE("a picture of a scene shows the cloth, what holds it, and the pull of the hand") {
-    const FabricLaws laws = cloth_laws();
+    const FabricLaws laws = middling_laws();
     for (const SceneEntry& entry : scene_entries()) {
       if (entry.kind != SceneKind::kEngine) continue;
       CAPTURE(std::string(entry.name));

@@ -67,9 +67,9 @@ TEST_SUITE("analytic") {
     DrapeMethod method;
     method.path = DrapePath::kSupport;
     const auto stepper =
-        make_drape_stepper(model, made.material, make_drape_start(g, model, 1), method, DrapeStage::kMoving);
+        make_drape_stepper(model, made.material, make_drape_start(g, model, 1), method, DrapeStage::kDriven);
     const double plate = -0.01;
-    for (int i = 0; i < 125; ++i) REQUIRE(stepper->step({1.0, 0.0, plate}) >= 0);
+    for (int i = 0; i < 500; ++i) REQUIRE(stepper->step({1.0, 0.0, plate}) >= 0);
     double lowest = 1.0;
     for (int slot = 0; slot < model.slot_count(); ++slot)
       if (model.live[static_cast<std::size_t>(slot)] != 0)

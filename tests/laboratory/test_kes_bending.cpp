@@ -12,19 +12,9 @@
 #include "support/small_cloth.h"
 
 using namespace fuai;
+using fuai_test::uneven_laws;
 
 namespace {
-
-/// Face and back differ, warp and weft differ, with friction.
-FabricLaws uneven() {
-  const ClothMaterial m = fuai_test::uneven_material();
-  FabricLaws laws;
-  laws.areal_mass = 0.15;
-  laws.bending = {m.warp_bending, m.weft_bending, m.warp_bending};
-  laws.shear = m.shear;
-  laws.tensile = {m.warp_tension, m.weft_tension};
-  return laws;
-}
 
 KesOptions narrow(Direction direction) {
   KesOptions options;
@@ -37,7 +27,7 @@ KesOptions narrow(Direction direction) {
 
 TEST_SUITE("analytic") {
   TEST_CASE("pure bending gives the law back: face, back, reversals, warp and weft") {
-    const FabricLaws laws = uneven();
+    const FabricLaws laws = uneven_laws();
     for (Direction direction : {Direction::kWarp, Direction::kWeft}) {
       KesOptions options = narrow(direction);
       options.reversals = {{100.0, 20.0}, {150.0, 0.0}};
@@ -51,7 +41,7 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE("the moment does not depend on the width or the spacing") {
-    const FabricLaws laws = uneven();
+    const FabricLaws laws = uneven_laws();
     std::vector<double> moments;
     for (double width : {0.02, 0.05}) {
       for (double spacing : {0.002, 0.00125}) {
@@ -68,7 +58,7 @@ TEST_SUITE("analytic") {
 
 TEST_SUITE("unit") {
   TEST_CASE("the path: 2.5, -2.5 and 0 /cm, split at zero") {
-    const KesRecord record = run_kes_bending(uneven(), narrow(Direction::kWarp));
+    const KesRecord record = run_kes_bending(uneven_laws(), narrow(Direction::kWarp));
     REQUIRE(record.curve.branches.size() == 4);
     CHECK(record.curve.branches[0].samples.front().stress == 0.0);
     CHECK(record.curve.branches[0].samples.back().strain == doctest::Approx(250.0).epsilon(1e-12));
@@ -81,12 +71,12 @@ TEST_SUITE("unit") {
   TEST_CASE("tests that cannot be done are refused") {
     KesOptions options = narrow(Direction::kWarp);
     options.high = 400.0;  // four radians
-    CHECK_THROWS_AS(run_kes_bending(uneven(), options), Error);
+    CHECK_THROWS_AS(run_kes_bending(uneven_laws(), options), Error);
     options.high = 100.0;
     options.low = 50.0;
-    CHECK_THROWS_AS(run_kes_bending(uneven(), options), Error);
+    CHECK_THROWS_AS(run_kes_bending(uneven_laws(), options), Error);
     options = narrow(Direction::kWarp);
     options.spacing = 0.003;
-    CHECK_THROWS_AS(run_kes_bending(uneven(), options), Error);
+    CHECK_THROWS_AS(run_kes_bending(uneven_laws(), options), Error);
   }
 }

@@ -12,26 +12,17 @@
 #include "support/small_cloth.h"
 
 using namespace fuai;
+using fuai_test::uneven_laws;
 
 namespace {
 
 constexpr double kLoad = 500.0 * unit::kGfPerCm;
 
-FabricLaws cloth() {
-  const ClothMaterial m = fuai_test::uneven_material();
-  FabricLaws laws;
-  laws.areal_mass = 0.15;
-  laws.bending = {m.warp_bending, m.weft_bending, m.warp_bending};
-  laws.shear = m.shear;
-  laws.tensile = {m.warp_tension, m.weft_tension};
-  return laws;
-}
-
 }  // namespace
 
 TEST_SUITE("analytic") {
   TEST_CASE("the law comes back, the stop is the load, the end is no load") {
-    const FabricLaws laws = cloth();
+    const FabricLaws laws = uneven_laws();
     for (Direction direction : {Direction::kWarp, Direction::kWeft}) {
       KesOptions options;
       options.direction = direction;
@@ -55,7 +46,7 @@ TEST_SUITE("analytic") {
   TEST_CASE("a stop at a strain") {
     KesOptions options;
     options.stop_strain = 0.025;
-    const KesRecord record = run_kes_tensile(cloth(), options);
+    const KesRecord record = run_kes_tensile(uneven_laws(), options);
     CHECK(record.curve.branches[0].samples.back().strain == doctest::Approx(0.025).epsilon(1e-12));
     CHECK(record.curve.branches[0].samples.size() == 101);
   }
@@ -63,7 +54,7 @@ TEST_SUITE("analytic") {
 
 TEST_SUITE("unit") {
   TEST_CASE("a cloth that never carries the load is reported") {
-    FabricLaws laws = cloth();
+    FabricLaws laws = uneven_laws();
     laws.tensile[0] = fuai_test::straight_law(1.0, 0.0, 0.5);
     CHECK_THROWS_AS(run_kes_tensile(laws, {}), Error);
   }

@@ -15,23 +15,16 @@
 #include "support/linear_laws.h"
 
 using namespace fuai;
+using fuai_test::middling_laws;
 
 namespace {
 
 constexpr double kStep = 0.001;
 
-/// A middling cloth with every law: 160 g/m2.
-FabricLaws cloth_laws() {
-  FabricLaws laws = fuai_test::linear_laws(0.06, 0.02, 160.0);
-  laws.shear = make_shear_law(0.8 * unit::kGfPerCmDeg, 1.5 * unit::kGfPerCm, 3.0 * unit::kGfPerCm);
-  for (PlayLaw& law : laws.tensile) law = make_tensile_law(0.7, 0.6, 0.05, 500.0 * unit::kGfPerCm);
-  return laws;
-}
-
 /// Small versions of all scenes of the engine.
 template <class Check>
 void for_each_scene(int size, const Check& check) {
-  const FabricLaws laws = cloth_laws();
+  const FabricLaws laws = middling_laws();
   for (const SceneEntry& entry : scene_entries()) {
     if (entry.kind != SceneKind::kEngine) continue;
     CAPTURE(std::string(entry.name));
@@ -96,7 +89,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("every scene is made at the least size and refuses what lies out of range") {
-    const FabricLaws laws = cloth_laws();
+    const FabricLaws laws = middling_laws();
     for_each_scene(kLeastSceneSize, [](const EngineScene& scene) {
       SceneRunner<float> runner(scene);
       run(runner, 5);
@@ -117,7 +110,7 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("the scenes hold what they name") {
-    const FabricLaws laws = cloth_laws();
+    const FabricLaws laws = middling_laws();
     CHECK(count(make_hanging_sheet(laws).model.fixed) == 2);
     CHECK(count(make_hanging_strip(laws).model.fixed) == 9);
     CHECK(count(make_taut_patch(laws).model.fixed) == 32);
@@ -130,7 +123,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("the waves of the clamped sheet take 5 % off its width and stretch no yarn") {
     for (int size : {9, 32, 64}) {
-      const EngineScene scene = make_taut_patch(cloth_laws(), {size, 0.0});
+      const EngineScene scene = make_taut_patch(middling_laws(), {size, 0.0});
       const auto [least, most] = strains_at_start(scene);
       CHECK(std::abs(least) < 1e-12);  // rounding of a chord of 1 cm at 1 m
       CHECK(std::abs(most) < 1e-12);
@@ -146,13 +139,13 @@ TEST_SUITE("unit") {
 
   TEST_CASE("the corner drape keeps the paper's sheet and block at every spacing") {
     for (double spacing : {0.01, 0.005, 0.0075, 0.012}) {
-      const EngineScene scene = make_corner_drape(cloth_laws(), {0, spacing});
+      const EngineScene scene = make_corner_drape(middling_laws(), {0, spacing});
       double area = 0.0;
       for (double a : scene.model.node_area) area += a;
       CHECK(area == doctest::Approx(0.17 * 0.17).epsilon(1e-9));  // make_cloth_model: to rounding
     }
     // Yarns bend from the edge of the block on, wherever the slots lie: 4 cm is 5.33 spacings of 7.5 mm.
-    const EngineScene scene = make_corner_drape(cloth_laws(), {0, 0.0075});
+    const EngineScene scene = make_corner_drape(middling_laws(), {0, 0.0075});
     CHECK(count(scene.model.fixed) == 36);
   }
 }
@@ -180,11 +173,11 @@ TEST_SUITE("determinism") {
 
 TEST_SUITE("property") {
   TEST_CASE("hands grip and let go when the scene says so") {
-    const EngineScene scene = make_grasp_and_lift(cloth_laws(), {13, 0.0});
+    const EngineScene scene = make_grasp_and_lift(middling_laws(), {13, 0.0});
     SceneRunner<float> runner(scene);
     CHECK(!runner.hand_reading(0).holds);
     CHECK(scene.motion->hand(0, scene.shown_at()).holds);  // a picture shows the lift, not the end
-    CHECK(make_bending(cloth_laws()).shown_at() == 1.0);
+    CHECK(make_bending(middling_laws()).shown_at() == 1.0);
     run(runner, 1500);
     const GraspReading held = runner.hand_reading(0);
     CHECK(held.holds);
@@ -198,7 +191,7 @@ TEST_SUITE("property") {
   }
 
   TEST_CASE("yank and shake never move the hand faster than 5 m/s, and the shake keeps to its box") {
-    const FabricLaws laws = cloth_laws();
+    const FabricLaws laws = middling_laws();
     for (const char* name : {"yank", "shake"}) {
       const EngineScene scene = make_engine_scene(name, laws, {13, 0.0});
       Vec3 low = Vec3::Constant(1e300), high = -low, before = scene.motion->hand(0, 0.0).position;
@@ -260,7 +253,7 @@ TEST_SUITE("realtime") {
       runner.hand(0);
       CHECK(guard.count() == 0);
     });
-    const EngineScene lift = make_grasp_and_lift(cloth_laws(), {9, 0.0});
+    const EngineScene lift = make_grasp_and_lift(middling_laws(), {9, 0.0});
     SceneRunner<float> runner(lift);
     const fuai_test::AllocationGuard guard;
     for (int i = 0; i < 300; ++i) runner.step(0.01);  // past the moment of letting go

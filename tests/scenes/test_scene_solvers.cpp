@@ -1,5 +1,6 @@
 // One scene, every solver: the same cloth at rest, the paper's drape by two ways, runs that go on bit for
-// bit. SPDX-License-Identifier: Apache-2.0
+// bit.
+// SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -13,18 +14,11 @@
 #include "support/small_cloth.h"
 
 using namespace fuai;
+using fuai_test::middling_laws;
 
 namespace {
 
 constexpr double kStep = 0.001;
-
-/// A middling cloth with every law: 160 g/m2.
-FabricLaws cloth_laws() {
-  FabricLaws laws = fuai_test::linear_laws(0.06, 0.02, 160.0);
-  laws.shear = make_shear_law(0.8 * unit::kGfPerCmDeg, 1.5 * unit::kGfPerCm, 3.0 * unit::kGfPerCm);
-  for (PlayLaw& law : laws.tensile) law = make_tensile_law(0.7, 0.6, 0.05, 500.0 * unit::kGfPerCm);
-  return laws;
-}
 
 double largest_speed(const ClothState& state) {
   double largest = 0.0;
@@ -36,7 +30,7 @@ double largest_speed(const ClothState& state) {
 
 TEST_SUITE("unit") {
   TEST_CASE("every solver runs every scene but those about speed without time") {
-    const FabricLaws laws = cloth_laws();
+    const FabricLaws laws = middling_laws();
     for (const SceneEntry& entry : scene_entries()) {
       if (entry.kind != SceneKind::kEngine) continue;
       const EngineScene scene = make_engine_scene(entry.name, laws, {9, 0.0});
@@ -64,7 +58,7 @@ TEST_SUITE("unit") {
 
 TEST_SUITE("crosscheck+slow") {
   TEST_CASE("the corner drape by the paper's solver is the paper's drape, step for step") {
-    const FabricLaws laws = cloth_laws();
+    const FabricLaws laws = middling_laws();
     const EngineScene scene = make_corner_drape(laws);
     SceneRun run(scene, SolverKind::kPaper, 25);
     PaperDrape paper = make_paper_drape(laws);
@@ -76,7 +70,7 @@ TEST_SUITE("crosscheck+slow") {
   }
 
   TEST_CASE("a hanging strip comes to the same rest by the implicit and the explicit solver") {
-    EngineScene scene = make_hanging_strip(cloth_laws(), {9, 0.0});
+    EngineScene scene = make_hanging_strip(middling_laws(), {9, 0.0});
     scene.material.mass_drag = 20.0;
     // Without friction in the yarns: it remembers how far the strip swung, and the two swing differently.
     scene.material.weft_tension = scene.material.warp_tension = fuai_test::straight_law(50.0, 0.0, 0.1);
@@ -108,7 +102,7 @@ TEST_SUITE("crosscheck+slow") {
 
   TEST_CASE("a lifted tip: force and shape of the implicit and the explicit solver") {
     // Slowly, so that the solvers differ only by what little still rings.
-    EngineScene scene = make_bending(cloth_laws(), {7, 0.02});
+    EngineScene scene = make_bending(middling_laws(), {7, 0.02});
     scene.material.mass_drag = 20.0;
     Vec3 force[3], centre[3];
     int k = 0;
@@ -133,7 +127,7 @@ TEST_SUITE("crosscheck+slow") {
 
 TEST_SUITE("determinism") {
   TEST_CASE("with any solver a run that was frozen goes on bit for bit, holds and moving pins included") {
-    const FabricLaws laws = cloth_laws();
+    const FabricLaws laws = middling_laws();
     for (const char* name : {"bending", "hanging_sheet"}) {
       const EngineScene scene = make_engine_scene(name, laws, {9, 0.0});
       for (const SolverEntry& solver : solver_entries()) {

@@ -27,6 +27,15 @@ inline fuai::FabricLaws linear_laws(double B_gf_cm2_per_cm, double HB_gf_cm_per_
   return laws;
 }
 
+/// A middling cloth with every law: 160 g/m2.
+inline fuai::FabricLaws middling_laws() {
+  using namespace fuai;
+  FabricLaws laws = linear_laws(0.06, 0.02, 160.0);
+  laws.shear = make_shear_law(0.8 * unit::kGfPerCmDeg, 1.5 * unit::kGfPerCm, 3.0 * unit::kGfPerCm);
+  for (PlayLaw& law : laws.tensile) law = make_tensile_law(0.7, 0.6, 0.05, 500.0 * unit::kGfPerCm);
+  return laws;
+}
+
 /// The four stand-ins for the paper's fabrics 1, 3, 6 and 10.
 inline constexpr double kFourB[] = {0.02, 0.06, 0.12, 0.20};   ///< [gf cm2/cm]
 inline constexpr double kFourHB[] = {0.01, 0.02, 0.04, 0.07};  ///< [gf cm/cm]

@@ -1,11 +1,13 @@
 // Small rectangular cloths of whole cells, with or without holes, and materials that use every term of the
-// engine. SPDX-License-Identifier: Apache-2.0
+// engine.
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <random>
 #include <vector>
 
 #include "fuai/cloth/cloth_model.h"
+#include "fuai/fabric/laws.h"
 #include "fuai/fabric/scalar_laws.h"
 #include "fuai/solver/cloth_material.h"
 #include "fuai/units/constants.h"
@@ -111,6 +113,17 @@ inline fuai::ClothMaterial uneven_material() {
   material.twist_stiffness = 2e-6;
   material.poisson_bending = 1e-6;
   return material;
+}
+
+/// The laws of that material, 150 g/m2.
+inline fuai::FabricLaws uneven_laws() {
+  const fuai::ClothMaterial m = uneven_material();
+  fuai::FabricLaws laws;
+  laws.areal_mass = 0.15;
+  laws.bending = {m.warp_bending, m.weft_bending, m.warp_bending};
+  laws.shear = m.shear;
+  laws.tensile = {m.warp_tension, m.weft_tension};
+  return laws;
 }
 
 /// Adds a random displacement of up to `amplitude` in every coordinate of every slot [m].

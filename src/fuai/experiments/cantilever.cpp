@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -146,9 +147,7 @@ CantileverResult run_cantilever(const FabricLaws& laws, const CantileverOptions&
   result.assumptions = material.notes;
   result.assumptions.emplace_back("the strip hangs face up, from flat and without a past");
   if (options.elastic) result.assumptions.emplace_back("friction was left out");
-  for (const LawReport& report : laws.reports)
-    for (const std::string& sentence : report.assumptions)
-      result.assumptions.push_back(report.law + ": " + sentence);
+  std::ranges::move(assumptions_of(laws), std::back_inserter(result.assumptions));
   return result;
 }
 

@@ -13,19 +13,9 @@
 namespace fuai {
 namespace {
 
-/// rms distance of the replayed law from the samples, over the peak of the measured stress.
+/// Of the replayed law from the samples.
 double replay_residual(const PlayLaw& law, const MeasuredCurve& curve) {
-  const MeasuredCurve predicted = compare_cycles(law, curve).predicted;
-  double square = 0.0, peak = 0.0, count = 0.0;
-  for (std::size_t b = 0; b < curve.branches.size(); ++b) {
-    for (std::size_t i = 0; i < curve.branches[b].samples.size(); ++i) {
-      const double measured = curve.branches[b].samples[i].stress;
-      square += std::pow(predicted.branches[b].samples[i].stress - measured, 2);
-      peak = std::max(peak, std::abs(measured));
-      count += 1.0;
-    }
-  }
-  return peak > 0.0 ? std::sqrt(square / count) / peak : 0.0;
+  return rms_over_peak(compare_cycles(law, curve).predicted, curve);
 }
 
 CurveLaw law_of_loop(const MeasuredCurve& curve, double jamming_curvature) {

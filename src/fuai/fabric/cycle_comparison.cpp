@@ -71,4 +71,17 @@ CycleComparison compare_cycles(const PlayLaw& law, const MeasuredCurve& curve) {
   return result;
 }
 
+double rms_over_peak(const MeasuredCurve& curve, const MeasuredCurve& reference) noexcept {
+  double square = 0.0, count = 0.0, peak = 0.0;
+  for (std::size_t k = 0; k < reference.branches.size(); ++k) {
+    for (std::size_t i = 0; i < reference.branches[k].samples.size(); ++i) {
+      const double expected = reference.branches[k].samples[i].stress;
+      square += std::pow(curve.branches[k].samples[i].stress - expected, 2);
+      peak = std::max(peak, std::abs(expected));
+      count += 1.0;
+    }
+  }
+  return peak > 0.0 ? std::sqrt(square / count) / peak : 0.0;
+}
+
 }  // namespace fuai

@@ -30,4 +30,8 @@ struct CycleComparison {
 /// @return one misfit a cycle, and the predicted curve. Thread class: set-up.
 CycleComparison compare_cycles(const PlayLaw& law, const MeasuredCurve& curve);
 
+/// rms distance of the stresses of a curve from those of another at the same samples, over the other's peak;
+/// 0 when that is 0. @param curve the same branches with as many samples. Thread class: any.
+double rms_over_peak(const MeasuredCurve& curve, const MeasuredCurve& reference) noexcept;
+
 }  // namespace fuai

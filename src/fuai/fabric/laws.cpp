@@ -255,4 +255,12 @@ FabricLaws make_fabric_laws(const Fabric& fabric) {
   return laws;
 }
 
+std::vector<std::string> assumptions_of(const FabricLaws& laws) {
+  std::vector<std::string> sentences;
+  for (const LawReport& report : laws.reports) {
+    for (const std::string& sentence : report.assumptions) sentences.push_back(report.law + ": " + sentence);
+  }
+  return sentences;
+}
+
 }  // namespace fuai

@@ -40,6 +40,9 @@ struct FabricLaws {
 /// noise) or there is no bending measurement at all. Thread class: set-up.
 FabricLaws make_fabric_laws(const Fabric& fabric);
 
+/// What was assumed for all laws, each with the law's name before it. Thread class: set-up.
+std::vector<std::string> assumptions_of(const FabricLaws& laws);
+
 /// The one bending rigidity of a law where plate theory needs a number [N m]: the slope of its elastic curve
 /// at 1 1/cm, the curvature at which KES reads B. Thread class: any.
 double bending_rigidity(const PlayLaw& law) noexcept;

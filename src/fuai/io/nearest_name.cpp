@@ -27,7 +27,7 @@ int edit_distance(std::string_view a, std::string_view b) {
 
 std::vector<std::string> nearest_names(std::string_view word, std::span<const std::string> names, int count) {
   std::vector<std::pair<int, std::string>> ranked;
-  const int farthest = static_cast<int>(std::min<std::size_t>(word.size(), 64)) / 2 + 2;
+  const int farthest = static_cast<int>(std::min<std::size_t>(word.size(), 64)) / 3 + 2;
   for (const std::string& name : names) {
     const int distance = edit_distance(word, name);
     // As far as the name is long nothing of it is left.

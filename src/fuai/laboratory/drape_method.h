@@ -23,7 +23,8 @@ struct DrapeMethod {
   DrapePath path = DrapePath::kRamp;
   DrapeSolver solver = DrapeSolver::kImplicit;
   double loading = 2.0;         ///< length of the gravity ramp, or of lowering the plate [s]
-  double dt = 0.008;            ///< step of the implicit solver [s]
+  double dt = 0.008;            ///< step of the implicit solver on the ramp and toward rest [s]
+  double driven_dt = 0.002;     ///< its step while the cloth falls, is shaken or lies on the plate [s]
   int iterations = 60;          ///< conjugate gradients a linearisation, at most
   int linearisations = 2;       ///< a step, at most
   double loading_drag = 6.0;    ///< drag proportional to mass while something moves the cloth [1/s]

@@ -18,9 +18,9 @@ namespace {
 
 void check(const DrapeMethod& m) {
   const auto positive = [](double x) { return x > 0.0 && std::isfinite(x); };
-  if (positive(m.loading) && positive(m.dt) && m.dt <= kRestWindow && positive(m.most_settling) &&
-      m.loading_drag >= 0.0 && m.settling_drag >= 0.0 && m.linger >= 0.0 && m.shakes >= 0 &&
-      positive(m.shake_period))
+  if (positive(m.loading) && positive(m.dt) && m.dt <= kRestWindow && positive(m.driven_dt) &&
+      positive(m.most_settling) && m.loading_drag >= 0.0 && m.settling_drag >= 0.0 && m.linger >= 0.0 &&
+      m.shakes >= 0 && positive(m.shake_period))
     return;
   throw Error(ErrorKind::kUsage, "a drape needs positive times, steps of at most 0.2 s and drags from 0 up");
 }
@@ -57,8 +57,9 @@ class Drape {
   }
 
   /// Something moves the cloth for `seconds`. @param moment of the time since the stage began [s]
-  void move(double seconds, const std::function<DrapeMoment(double)>& moment, DrapeRun& run) {
-    begin(DrapeStage::kMoving, method_.loading_drag, run);
+  void move(DrapeStage stage, double seconds, const std::function<DrapeMoment(double)>& moment,
+            DrapeRun& run) {
+    begin(stage, method_.loading_drag, run);
     const auto steps = static_cast<int>(std::lround(seconds / stepper_->dt()));
     for (int i = 1; i <= steps; ++i) {
       step(moment(seconds * i / steps), run);
@@ -141,29 +142,35 @@ DrapeRun run_drape(const DrapeGeometry& geometry, const ClothModel& model, const
   DrapeRun run;
   run.state = start;
   Drape drape(geometry, model, material, method, progress);
-  if (method.path == DrapePath::kRamp || method.path == DrapePath::kShakes)
-    drape.move(
-        method.loading, [&](double t) { return DrapeMoment{smooth(t / method.loading)}; }, run);
-  if (method.path == DrapePath::kRelease)
-    drape.move(
-        method.loading, [](double) { return DrapeMoment{}; }, run);
-  if (method.path == DrapePath::kSupport) {
-    // The plate ends where the cloth cannot reach.
-    const double lowest = -1.05 * geometry.overhang();
-    drape.move(
-        method.loading,
-        [&](double t) {
-          return DrapeMoment{1.0, 0.0, lowest * smooth(t / method.loading)};
-        },
-        run);
+  const double loading = method.loading;
+  switch (method.path) {
+    case DrapePath::kRamp:
+    case DrapePath::kShakes:
+      drape.move(
+          DrapeStage::kGrowing, loading, [&](double t) { return DrapeMoment{smooth(t / loading)}; }, run);
+      break;
+    case DrapePath::kRelease:
+      drape.move(
+          DrapeStage::kDriven, loading, [](double) { return DrapeMoment{}; }, run);
+      break;
+    case DrapePath::kSupport: {
+      const double lowest = -1.05 * geometry.overhang();  // where the cloth cannot reach
+      drape.move(
+          DrapeStage::kDriven, loading,
+          [&](double t) {
+            return DrapeMoment{1.0, 0.0, lowest * smooth(t / loading)};
+          },
+          run);
+      break;
+    }
   }
   drape.settle(run);
   if (method.path == DrapePath::kShakes && method.shakes > 0) {
-    const double turns = 2.0 * std::numbers::pi / method.shake_period;
+    const double turns = 2.0 * std::numbers::pi / method.shake_period, half = 0.5 * method.shake_height;
     drape.move(
-        method.shakes * method.shake_period,
+        DrapeStage::kDriven, method.shakes * method.shake_period,
         [&](double t) {
-          return DrapeMoment{1.0, 0.5 * method.shake_height * (1.0 - std::cos(turns * t))};
+          return DrapeMoment{1.0, half * (1.0 - std::cos(turns * t))};
         },
         run);
     drape.settle(run);

@@ -53,9 +53,9 @@ template <class T>
 class ImplicitStepper final : public DrapeStepper {
  public:
   ImplicitStepper(const ClothModel& model, const ClothMaterial& material, const ClothState& state,
-                  const DrapeMethod& method)
+                  const DrapeMethod& method, DrapeStage stage)
       : model_(model),
-        dt_(method.dt),
+        dt_(stage == DrapeStage::kDriven ? method.driven_dt : method.dt),
         fixed_(fixed_places(model)),
         solver_(model, material, options_of(method), room_for(model, method)) {
     if (method.path == DrapePath::kSupport) attachments_.resize(room_for(model, method).attachments);
@@ -185,9 +185,9 @@ std::unique_ptr<DrapeStepper> make_drape_stepper(const ClothModel& model, const 
                                                  DrapeStage stage) {
   if (method.solver == DrapeSolver::kExplicit)
     return std::make_unique<ExplicitStepper>(model, material, state, method);
-  if (stage == DrapeStage::kMoving)
-    return std::make_unique<ImplicitStepper<float>>(model, material, state, method);
-  return std::make_unique<ImplicitStepper<double>>(model, material, state, method);
+  if (stage == DrapeStage::kSettling)
+    return std::make_unique<ImplicitStepper<double>>(model, material, state, method, stage);
+  return std::make_unique<ImplicitStepper<float>>(model, material, state, method, stage);
 }
 
 }  // namespace fuai

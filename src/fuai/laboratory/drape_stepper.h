@@ -43,8 +43,9 @@ class DrapeStepper {
 
 /// What a stage of a drape wants.
 enum class DrapeStage {
-  kMoving,    ///< something moves the cloth: speed counts
-  kSettling,  ///< it comes to rest: precision counts
+  kGrowing,   ///< the weight grows slowly: long steps in float
+  kDriven,    ///< the cloth falls, is shaken or lies on the plate: short steps in float
+  kSettling,  ///< it comes to rest: long steps in double
 };
 
 /// Allocates the solver and takes over the state. Model and material must outlive it.

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -137,8 +138,7 @@ std::vector<std::string> assumptions_of(const FabricLaws& laws, const DrapeMater
   }
   if (elastic) sentences.emplace_back("friction was left out");
   sentences.emplace_back("cloth that touches itself is not simulated");
-  for (const LawReport& report : laws.reports)
-    for (const std::string& sentence : report.assumptions) sentences.push_back(report.law + ": " + sentence);
+  std::ranges::move(assumptions_of(laws), std::back_inserter(sentences));
   return sentences;
 }
 

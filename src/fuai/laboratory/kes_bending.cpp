@@ -57,9 +57,7 @@ KesRecord run_kes_bending(const FabricLaws& laws, const KesOptions& options, con
   KesRecorder recorder(start);
   drive(turning_points(options.reversals, stops), step, move, recorder, progress);
   KesRecord record;
-  record.curve.test = Test::kBending;
-  record.curve.direction = options.direction;
-  record.curve.branches = recorder.take();
+  record.curve = recorder.take(Test::kBending, options.direction);
   record.spacing = spec.spacing;
   record.iterations = specimen.iterations();
   return record;

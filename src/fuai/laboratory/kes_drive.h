@@ -37,7 +37,8 @@ class KesRecorder {
     at_ = sample;
   }
   const CurveSample& last() const noexcept { return at_; }
-  std::vector<CurveBranch> take() { return std::move(branches_); }
+  /// The whole recording of a test.
+  MeasuredCurve take(Test test, Direction direction) { return {test, direction, std::move(branches_), {}}; }
 
  private:
   CurveSample at_;

@@ -28,6 +28,7 @@ struct KesOptions {
   double stop_strain = 0.0;  ///< tension: turn back at this strain instead of at a load [-]; 0: at the load
   double spacing = 0.0;      ///< h [m] (0: 2 mm in bending, 5 mm in shear, 1 cm in tension)
   double width = 0.2;        ///< of the specimen [m]
+  double length = 0.05;      ///< between the clamps, of a tensile specimen [m]
   double tension = kKesShearTension;  ///< of the shear test [N/m]
   bool stress = false;  ///< shear: record the stress that the cloth carries instead of the force, that is
                         ///< (F - W0 tan(phi)) d / L with d the distance of the clamps

@@ -10,6 +10,7 @@
 #include "fuai/experiments/fabric_plot.h"
 #include "fuai/fabric/branch_nodes.h"
 #include "fuai/fabric/curve_law.h"
+#include "fuai/fabric/cycle_comparison.h"
 #include "fuai/fabric/kes_parameters.h"
 #include "fuai/io/number_text.h"
 #include "fuai/units/constants.h"
@@ -149,19 +150,6 @@ MeasuredCurve mean_of(MeasuredCurve a, const MeasuredCurve& b) {
     }
   }
   return a;
-}
-
-double rms_over_peak(const MeasuredCurve& curve, const MeasuredCurve& loop) {
-  double square = 0.0, count = 0.0, peak = 0.0;
-  for (std::size_t k = 0; k < curve.branches.size(); ++k) {
-    for (std::size_t i = 0; i < curve.branches[k].samples.size(); ++i) {
-      const double expected = loop.branches[k].samples[i].stress;
-      square += std::pow(curve.branches[k].samples[i].stress - expected, 2);
-      peak = std::max(peak, std::abs(expected));
-      count += 1.0;
-    }
-  }
-  return peak > 0.0 ? std::sqrt(square / count) / peak : 0.0;
 }
 
 /// A loop narrower than this part of its peak is closed: what is read off it is rounding.

@@ -31,7 +31,8 @@ class ShearTester {
       const double share = static_cast<double>(i) / kTensionSteps;
       specimen_.pull(specimen_.along(), share * per_width * specimen_.spec().width);
       if (!specimen_.settle(Mat3::Identity(), Vec3::Zero()).converged)
-        throw Error(ErrorKind::kCheckFailed, "the specimen did not come to rest under the tension alone");
+        throw Error(ErrorKind::kCheckFailed, "the specimen did not come to rest under the tension alone", {},
+                    "take another spacing");
       specimen_.commit();
     }
     distance_ = distance();
@@ -158,9 +159,7 @@ KesRecord run_kes_shear(const FabricLaws& laws, const KesOptions& options, const
   start.strain = 0.0;
   KesRecorder recorder(start);
   drive(turning_points(options.reversals, stops), kStep, watched, recorder, progress);
-  record.curve.test = Test::kShear;
-  record.curve.direction = options.direction;
-  record.curve.branches = recorder.take();
+  record.curve = recorder.take(Test::kShear, options.direction);
   record.stretch = tester.opening();
   record.spacing = spec.spacing;
   record.iterations = tester.iterations();

@@ -11,7 +11,6 @@
 namespace fuai {
 namespace {
 
-constexpr double kLength = 0.05;   ///< between the clamps [m]
 constexpr double kSpacing = 0.01;  ///< h [m]; the strain is the same everywhere
 constexpr double kSteps = 100.0;   ///< from zero to the stop
 constexpr double kMostStrain = 10.0;
@@ -25,7 +24,7 @@ class TensileTester {
 
   /// Goes to a strain without committing. @return whether the cloth came to rest
   bool try_strain(double strain) {
-    if (!specimen_.settle(Mat3::Identity(), strain * kLength * specimen_.along()).converged) {
+    if (!specimen_.settle(Mat3::Identity(), strain * specimen_.spec().length * specimen_.along()).converged) {
       specimen_.roll_back();
       return false;
     }
@@ -66,7 +65,8 @@ struct TensileTest {
       const double limit = sense * (strain_limit - before.strain);
       if (!(limit > 0.0) && std::abs(strain_limit) < kMostStrain) return;
       if (!(limit > 0.0))
-        throw Error(ErrorKind::kCheckFailed, "the specimen never carried the load of the stop");
+        throw Error(ErrorKind::kCheckFailed, "the specimen never carried the load of the stop", {},
+                    "check the EMT and LT of the fabric");
       bool at_rest = false;
       double part = 1.0;
       for (; part > 1e-2 && !at_rest; part *= 0.5)
@@ -88,7 +88,7 @@ struct TensileTest {
 KesRecord run_kes_tensile(const FabricLaws& laws, const KesOptions& options, const Progress& progress) {
   SpecimenSpec spec;
   spec.along = options.direction;
-  spec.length = kLength;
+  spec.length = options.length;
   spec.width = options.width;
   spec.spacing = options.spacing > 0.0 ? options.spacing : kSpacing;
   const bool by_strain = options.stop_strain > 0.0;
@@ -109,9 +109,7 @@ KesRecord run_kes_tensile(const FabricLaws& laws, const KesOptions& options, con
   if (progress) progress("virtual instrument", 0.5);
   test.run(-1, 0.0, -kMostStrain);
   KesRecord record;
-  record.curve.test = Test::kTensile;
-  record.curve.direction = options.direction;
-  record.curve.branches = recorder.take();
+  record.curve = recorder.take(Test::kTensile, options.direction);
   record.spacing = spec.spacing;
   record.iterations = tester.iterations();
   return record;

@@ -108,6 +108,14 @@ StaticReport Specimen::settle_turned(const Mat3& rotation, double change) {
   return settle(rotation, Vec3::Zero());
 }
 
+void Specimen::raise(const std::function<double(double)>& height) {
+  const ClothModel& m = solver_.model();
+  std::vector<Vec3> raised = solver_.state().positions;
+  for (int slot = 0; slot < m.slot_count(); ++slot)
+    raised[static_cast<std::size_t>(slot)].z() = height(place_along(spec_, m, slot) / spec_.length);
+  solver_.suggest(raised);
+}
+
 StaticReport Specimen::settle(const Mat3& rotation, const Vec3& shift) {
   solver_.place(moving_, rotation, shift);
   return solver_.settle();

@@ -12,7 +12,7 @@
 //   Both clamps hold two spacings of cloth and end exactly on a line of the lattice.
 #pragma once
 
-#include <string>
+#include <functional>
 
 #include "fuai/cloth/cloth_model.h"
 #include "fuai/fabric/laws.h"
@@ -44,12 +44,18 @@ class Specimen {
 
   /// Lets the moving clamp go along a direction until the cloth pulls on it with `force` [N].
   void pull(const Vec3& direction, double force) { solver_.set_freedom(moving_, direction, force); }
+  /// Ends all pulls: the moving clamp stays where they brought it.
+  void hold() { solver_.hold(moving_); }
+  void set_gravity(const Vec3& gravity) { solver_.set_gravity(gravity); }
   /// Turns and shifts the moving clamp and lets the cloth come to rest; nothing is committed.
   StaticReport settle(const Mat3& rotation, const Vec3& shift);
   /// The same for a specimen that bends and whose moving clamp is free along it and out of its plane: the
   /// clamp is turned by `change` [rad] more than at the last commit; every segment of the yarns starts turned
   /// by its share.
   StaticReport settle_turned(const Mat3& rotation, double change);
+  /// The next settle() starts from the slots raised to this height [m] over their flat places. @param height
+  /// of the share of the way from the fixed clamp to the moving one
+  void raise(const std::function<double(double)>& height);
   void commit() { solver_.commit(); }
   void roll_back() { solver_.roll_back(); }
 

@@ -8,18 +8,41 @@
 namespace fuai {
 namespace {
 
-/// Fewest pieces over a curved measured range: a cubic between nodes bends less than 1e-5 of the peak in one.
-constexpr std::size_t kFewestPieces = 512;
+/// Pieces over a curved measured range: twice as many while they leave the curves by more than this part of
+/// the peak, but never more than one near cache holds of five laws.
+constexpr std::size_t kFewestPieces = 512, kMostPieces = 4096;
+constexpr double kTableTolerance = 1e-4;
 /// Pieces from the end of the measured range to the jamming limit, and how far toward it they go: there the
 /// force is 200 times its slope times the gap.
 constexpr int kJammingPieces = 128;
 constexpr double kJammingReach = 0.995;
 
-/// Pieces between two nodes of a curve table: 1 for a curve given by a few straight pieces.
-std::size_t refinement(const CurveTable& curve) {
-  const std::size_t cells = curve.node_count() - 1;
+/// How far a curve goes from straight pieces of its range, in their middles where a cubic goes farthest.
+double largest_bow(const CurveTable& curve, double low, double high, std::size_t pieces) {
+  const double step = (high - low) / static_cast<double>(pieces);
+  double largest = 0.0, start = curve.evaluate(low).value;
+  for (std::size_t i = 0; i < pieces; ++i) {
+    const double x = low + step * static_cast<double>(i), end = curve.evaluate(x + step).value;
+    largest = std::max(largest, std::abs(curve.evaluate(x + 0.5 * step).value - 0.5 * (start + end)));
+    start = end;
+  }
+  return largest;
+}
+
+/// Pieces between two nodes of a law's tables: 1 for curves given by a few straight pieces.
+std::size_t refinement(const PlayLaw& law) {
+  const CurveTable& elastic = law.elastic();
+  const std::size_t cells = elastic.node_count() - 1;
   if (cells <= 2) return 1;
-  return (kFewestPieces + cells - 1) / cells;
+  double peak = 0.0;
+  for (double f : elastic.nodes()) peak = std::max(peak, std::abs(f));
+  std::size_t parts = (kFewestPieces + cells - 1) / cells;
+  while (2 * parts * cells <= kMostPieces &&
+         std::max(largest_bow(elastic, elastic.low(), elastic.high(), parts * cells),
+                  largest_bow(law.friction(), elastic.low(), elastic.high(), parts * cells)) >
+             kTableTolerance * peak)
+    parts *= 2;
+  return parts;
 }
 
 /// Whether a curve is one straight line between its ends, to rounding.
@@ -63,7 +86,7 @@ LawTable<T>::LawTable(const PlayLaw& law) {
     return;
   }
   const double low = elastic.low(), high = elastic.high();
-  const auto inner = static_cast<int>((elastic.node_count() - 1) * refinement(elastic));
+  const auto inner = static_cast<int>((elastic.node_count() - 1) * refinement(law));
   const bool jams = elastic.extrapolation().kind == Extrapolation::Kind::kJamming;
   const int outer = jams ? kJammingPieces : 1;
   const double step = (high - low) / inner;

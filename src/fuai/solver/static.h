@@ -45,6 +45,8 @@ struct ClampReading {
   Vec3 shift = Vec3::Zero();   ///< of the pivot, what was told and what is free [m]
 };
 
+struct StaticSystem;
+
 /// The solver. Double throughout; deterministic.
 class SolverStatic {
  public:
@@ -63,6 +65,10 @@ class SolverStatic {
   /// @param direction unit vector, at right angles to the clamp's other freedoms
   /// @param force that the instrument puts on the clamp along it [N]. Thread class: set-up.
   void set_freedom(std::size_t clamp, const Vec3& direction, double force);
+  /// Takes a clamp's freedoms away; it is told to stay where they brought it. Thread class: set-up.
+  void hold(std::size_t clamp);
+  /// Of the next settle() [m/s2].
+  void set_gravity(const Vec3& gravity) noexcept;
   /// Where a clamp is at the next settle(). @param shift of the pivot from where it was at add_clamp() [m]
   void place(std::size_t clamp, const Mat3& rotation, const Vec3& shift);
 
@@ -89,8 +95,7 @@ class SolverStatic {
   int iterations() const noexcept;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<StaticSystem> parts_;
 };
 
 }  // namespace fuai
