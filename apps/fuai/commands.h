@@ -9,6 +9,7 @@ namespace fuai_app {
 void declare_cantilever(const Command& parent);
 void declare_drape(const Command& parent);
 void declare_fabrics(const Command& parent);
+void declare_haptics(const Command& parent);
 void declare_import(const Command& parent);
 void declare_kes(const Command& parent);
 void declare_loop(const Command& parent);

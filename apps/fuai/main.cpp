@@ -39,6 +39,7 @@ void declare_commands(const Command& top) {
   declare_drape(top);
   declare_loop(top);
   declare_kes(top);
+  declare_haptics(top);
 }
 
 }  // namespace

@@ -64,8 +64,8 @@ TEST_SUITE("analytic") {
       trial.damping = b;
       const double K = stiffest(trial);
       MESSAGE("b = " << b << " N s/m: " << K << " N/m, theory " << 2.0 * b / kTick);
-      // The issue's figure; the rule is the first order of w T, which is 0.07 to 0.13 here.
-      CHECK(K == doctest::Approx(2.0 * b / kTick).epsilon(0.10));
+      // Bisection 1 %, growth too slow to be seen in two seconds 2 %; the issue asks for 10 %.
+      CHECK(K == doctest::Approx(2.0 * b / kTick).epsilon(0.03));
     }
   }
 
@@ -76,7 +76,7 @@ TEST_SUITE("analytic") {
       trial.delay = kTick;
       const double K = stiffest(trial);
       MESSAGE("b = " << b << " N s/m: " << K << " N/m, theory " << b / (1.5 * kTick));
-      CHECK(K == doctest::Approx(b / (1.5 * kTick)).epsilon(0.10));
+      CHECK(K == doctest::Approx(b / (1.5 * kTick)).epsilon(0.03));
     }
   }
 
@@ -86,7 +86,7 @@ TEST_SUITE("analytic") {
       trial.period = ticks * kTick;
       const double K = stiffest(trial);
       MESSAGE(ticks << " ticks: " << K << " N/m, theory " << 2.0 * trial.damping / trial.period);
-      CHECK(K == doctest::Approx(2.0 * trial.damping / trial.period).epsilon(0.10));
+      CHECK(K == doctest::Approx(2.0 * trial.damping / trial.period).epsilon(0.03));
     }
   }
 }

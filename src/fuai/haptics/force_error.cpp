@@ -30,8 +30,12 @@ std::vector<Vec3> converged_forces(const ReferenceCloth& cloth, std::span<const 
   forces.reserve(records.size());
   int hold = -1;
   for (const TickRecord& record : records) {
-    // The tool took hold with its first step.
-    if (hold < 0) hold = simulation.grasp(cloth.grasp, record.tool);
+    // The tool took hold with its first step, and again whenever it wanted to.
+    if (record.holds && hold < 0) hold = simulation.grasp(cloth.grasp, record.tool);
+    if (!record.holds) {
+      simulation.release(hold);
+      hold = -1;
+    }
     simulation.move_grasp(hold, record.tool);
     simulation.step(record.dt);
     forces.push_back(simulation.grasp_reading(hold).force);
@@ -46,7 +50,8 @@ ForceError compare_forces(std::span<const TickRecord> records, std::span<const V
   ForceError error;
   double difference = 0.0, size = 0.0, farthest = 0.0, largest = 0.0;
   for (std::size_t i = 0; i < std::min(records.size(), reference.size()); ++i) {
-    if (!(records[i].tick.gain >= 1.0)) continue;
+    // Letting go takes the felt force some ticks of 0.1 N; there is no cloth then to compare it with.
+    if (!(records[i].tick.gain >= 1.0) || !records[i].holds) continue;
     const Vec3 felt = map.rotation * records[i].tick.force / map.force_gain;
     const double off = (felt - reference[i]).norm();
     difference += off * off;

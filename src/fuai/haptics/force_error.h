@@ -30,7 +30,7 @@ std::vector<Vec3> converged_forces(const ReferenceCloth& cloth, std::span<const 
 struct ForceError {
   double rms = 0.0;       ///< root of the sum of |F - R|^2 over that of |R|^2
   double peak = 0.0;      ///< largest |F - R| over the largest |R|
-  std::size_t ticks = 0;  ///< that count: those at full gain
+  std::size_t ticks = 0;  ///< that count: at full gain, with cloth in the hand
 };
 
 /// @param map that the session ended with: turns the felt forces back. Thread class: set-up.

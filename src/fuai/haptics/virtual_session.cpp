@@ -52,8 +52,8 @@ const ForceTick& VirtualSession::tick(double dt) noexcept {
   device_.write({last_.force});
   device_.advance(dt);
   if (records_.size() < records_.capacity())
-    records_.push_back(
-        {pose.time, dt, sample.position, pose.position, pose.velocity.norm() / path_.map().scale, last_});
+    records_.push_back({pose.time, dt, sample.position, pose.position,
+                        pose.velocity.norm() / path_.map().scale, pose.holds, last_});
   return last_;
 }
 

@@ -30,6 +30,7 @@ struct TickRecord {
   Vec3 device = Vec3::Zero();  ///< position as read [m]
   Vec3 tool = Vec3::Zero();    ///< [m]
   double speed = 0.0;          ///< of the device, filtered [m/s]
+  bool holds = true;           ///< the hand wants to hold cloth
   ForceTick tick;
 };
 
