@@ -38,7 +38,8 @@ PlayLaw stiff_yarns(const PlayLaw& law) {
                        law.elements());
 }
 
-/// The strip in the machine.
+/// The strip in the machine, seen from the fixed clamp: when both are tilted, the line between them and the
+/// weight turn the other way.
 class BucklingTester {
  public:
   BucklingTester(const FabricLaws& laws, const SpecimenSpec& spec, bool upwards)
@@ -72,15 +73,15 @@ class BucklingTester {
   }
   /// On the moving clamp, tension positive, of a strip of the machine's width [N].
   double force() const {
-    return -specimen_.moving().force.dot(specimen_.along()) * kStripWidth / specimen_.spec().width;
+    return -specimen_.moving().force.dot(level()) * kStripWidth / specimen_.spec().width;
   }
 
  private:
   bool try_distance(double distance) {
-    // The moving clamp looks back along the strip: tilted up it turns the other way round.
-    const Mat3 turn = Eigen::AngleAxisd(-tilt_, specimen_.bend_axis()).toRotationMatrix();
-    const Vec3 shift = (distance - specimen_.spec().length) * specimen_.along();
-    if (!specimen_.settle(turn, shift).converged) {
+    // The moving clamp looks back along the strip: it tilts up by turning the other way round.
+    const Vec3 shift = distance * level() - specimen_.spec().length * specimen_.along();
+    specimen_.set_gravity(turned(-tilt_) * specimen_.spec().gravity);
+    if (!specimen_.settle(turned(-2.0 * tilt_), shift).converged) {
       specimen_.roll_back();
       return false;
     }
@@ -88,6 +89,13 @@ class BucklingTester {
     distance_ = distance;
     return true;
   }
+
+  /// Turned upwards by an angle.
+  Mat3 turned(double angle) const {
+    return Eigen::AngleAxisd(angle, specimen_.bend_axis()).toRotationMatrix();
+  }
+  /// From clamp to clamp.
+  Vec3 level() const { return turned(-tilt_) * specimen_.along(); }
 
   Specimen specimen_;
   bool upwards_;

@@ -129,16 +129,22 @@ class SolverImplicit {
     double fall_at_start = 0.0, fall_at_end = 0.0;
     double rise(double dt) const noexcept { return -0.5 * dt * (fall_at_start + fall_at_end); }  ///< [J]
   };
-  /// What a solve did: how far along d it went and by how much the potential fell [J], trapezoid rule.
+  /// What a solve did: how far along d it went, by how much the potential fell [J], trapezoid rule, and what
+  /// is out of balance there, sum of squares [N2].
   struct Descent {
-    double length = 1.0, fall = 0.0;
+    double length = 1.0, fall = 0.0, square = 0.0;
   };
   void begin_step(double dt) noexcept;
   void evaluate(Evaluation what) noexcept;
   Guess start(double dt, StepReport& report) noexcept;
   bool start_back(double dt, Guess guess, const Descent& descent, StepReport& report) noexcept;
-  double solve(StepReport& report) noexcept;
-  Descent move_along(double slope, StepReport& report) noexcept;
+  /// What a solve promises: force.d at d = 0 [J], and what is out of balance there, sum of squares [N2].
+  struct Promise {
+    double slope = 0.0, square = 0.0;
+  };
+  Promise solve(StepReport& report) noexcept;
+  double shorten(double length, Descent& descent, StepReport& report) noexcept;
+  Descent move_along(const Promise& promise, StepReport& report) noexcept;
   void finish_step(double dt) noexcept;
   void stand_still() noexcept;
   void give_up() noexcept;
