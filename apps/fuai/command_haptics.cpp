@@ -132,6 +132,8 @@ struct Plan {
   std::int64_t ticks = 0;
   double force_gain = 1.0, cloth_period = 0.0;
   GraspSpec grasp;
+  std::vector<Vec3> way;  ///< of the hand in the cloth's coordinates [m] (ticks)
+  Fit fit;
 };
 
 Result run_plan(const Console& console, const RunOptions& options, const EngineScene& scene,
@@ -143,12 +145,11 @@ Result run_plan(const Console& console, const RunOptions& options, const EngineS
   const ClothSolverOptions solver{SolverKind::kImplicit, make_felt_options(scene.options.implicit), 0};
   ClothHand cloth(scene.model, scene.material, solver, scene.start, plan.grasp, answer);
 
-  std::vector<Vec3> way = hand_way(scene, plan.ticks);
-  const Fit fit = fit_way(way, spec.info);
-  for (Vec3& place : way) place = (place - fit.middle) / fit.scale;
+  std::vector<Vec3> way = plan.way;
+  for (Vec3& place : way) place = (place - plan.fit.middle) / plan.fit.scale;
   ForcePathOptions path_options = make_force_path_options(spec.info);
   path_options.passivity.control = !options.no_controller;
-  path_options.map.scale = fit.scale;
+  path_options.map.scale = plan.fit.scale;
   path_options.map.force_gain = plan.force_gain;
   path_options.map.device_centre = way.front();
   path_options.map.cloth_centre = cloth.patch();
@@ -247,8 +248,13 @@ Plan make_plan(const RunOptions& options, const EngineScene& scene) {
                 "take 0.01 to 100");
   }
   plan.cloth_period = options.cloth_rate >= 1000 ? 0.0 : 1.0 / options.cloth_rate;
+  plan.way = hand_way(scene, plan.ticks);
+  const DeviceInfo& info = simulated_spec(options.device).info;
+  plan.fit = fit_way(plan.way, info);
   plan.grasp = scene.hands.front();
-  plan.grasp.stiffness = std::min(plan.grasp.stiffness, simulated_spec(options.device).info.stable_stiffness);
+  // The hold is the coupling: felt gain times scale stiffer than it is, and the device must render that.
+  plan.grasp.stiffness =
+      std::min(plan.grasp.stiffness, info.stable_stiffness / (plan.force_gain * plan.fit.scale));
   return plan;
 }
 

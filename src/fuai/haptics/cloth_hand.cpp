@@ -29,18 +29,21 @@ ClothHand::ClothHand(const ClothModel& model, const ClothMaterial& material, con
       !(options.most_trust >= options.least_trust))
     throw Error(ErrorKind::kUsage, "cloth in the hand: probe and trust radius must be positive");
   simulation_.restore(start);
-  // A first grip only to learn where the patch is.
+  // A grip only to learn where the patch is; the first pose takes hold wherever the tool then is, so that
+  // nothing is pulled by where the encoder's step happens to lie.
   hold_ = simulation_.grasp(grasp_, Vec3::Zero());
   if (hold_ < 0) throw Error(ErrorKind::kUsage, "there is no cloth where the hand is to grip");
-  const Vec3 middle = patch();
+  start_ = patch();
   simulation_.release(hold_);
-  hold_ = simulation_.grasp(grasp_, middle);
+  hold_ = -1;
   // Makes room for whatever a step copies out; what a solver carries appears after its first step only.
   state_.carried.reserve(64);
   simulation_.stored_energy(state_);
 }
 
-Vec3 ClothHand::patch() const noexcept { return simulation_.grasp_reading(hold_).centre; }
+Vec3 ClothHand::patch() const noexcept {
+  return hold_ < 0 ? start_ : simulation_.grasp_reading(hold_).centre;
+}
 
 void ClothHand::grip(const ToolPose& pose) noexcept {
   if (pose.holds && hold_ < 0) hold_ = simulation_.grasp(grasp_, pose.position);

@@ -38,9 +38,8 @@ ImplicitOptions make_felt_options(const ImplicitOptions& scene);
 /// One hand on one cloth.
 class ClothHand final : public HapticEnvironment {
  public:
-  /// Copies all of it, puts the cloth in its start and grips it at once; the tool then is where the patch's
-  /// middle is. The patch's hold is the coupling of cloth and tool: spec.stiffness at most what the device
-  /// renders, see docs/haptics.md.
+  /// Copies all of it and puts the cloth in its start. The patch's hold is the coupling of cloth and tool:
+  /// spec.stiffness at most what the device renders, see docs/haptics.md.
   /// @throws Error as ClothSimulation, and (kUsage) when there is no cloth to grip. Thread class: set-up.
   ClothHand(const ClothModel& model, const ClothMaterial& material, const ClothSolverOptions& solver,
             const ClothState& start, const GraspSpec& grasp, const ClothHandOptions& options = {});
@@ -49,7 +48,8 @@ class ClothHand final : public HapticEnvironment {
   LocalModel update(const ToolPose& pose, double dt, double next) noexcept override;
 
   const ClothSimulation& simulation() const noexcept { return simulation_; }
-  /// Where the middle of the patch is now [m]: where a tool begins. Thread class: real-time.
+  /// Where the middle of the patch is now, or while nobody holds it was at the start [m]: where a tool
+  /// begins. Thread class: real-time.
   Vec3 patch() const noexcept;
   /// Steps in which a number went wrong. Thread class: real-time.
   std::uint64_t failed_steps() const noexcept { return failed_steps_; }
@@ -67,6 +67,7 @@ class ClothHand final : public HapticEnvironment {
   ClothState state_;
   LocalModel last_;
   int hold_ = -1;
+  Vec3 start_ = Vec3::Zero();
   double since_audit_ = 0.0, trust_ = 0.0;
   std::uint64_t number_ = 0, failed_steps_ = 0;
 };
