@@ -11,9 +11,8 @@ namespace fuai {
 
 ImplicitOptions make_felt_options(const ImplicitOptions& scene) {
   ImplicitOptions options = scene;
-  options.iterations = 12;
-  options.linearisations = 5;
-  options.relinearise = 0.004;
+  options.linearisations = 8;
+  options.relinearise = 0.002;
   return options;
 }
 

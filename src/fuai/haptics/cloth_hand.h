@@ -29,10 +29,10 @@ struct ClothHandOptions {
   double audit_time = 1.0 / 60.0;  ///< the stored energy is told so often [s]: it costs as much as a step
 };
 
-/// How to step a cloth that is felt: 12 iterations, each step to 0.4 % of its force, in up to five
-/// linearisations. Tuned on the bundled fabrics bent by a hand that moves in encoder steps
-/// (test_cloth_force): with the solver's own options the force is off by up to 2.5 %, with these by 0.9 %.
-/// Thread class: any.
+/// How to step a cloth that is felt: each step to 0.2 % of its force, in up to eight linearisations. Tuned on
+/// the bundled fabrics bent by a hand that moves in encoder steps (test_cloth_force): the solver's own two
+/// linearisations miss up to 2.5 % of the force there, and more iterations in each help less. Thread class:
+/// any.
 ImplicitOptions make_felt_options(const ImplicitOptions& scene);
 
 /// One hand on one cloth.
