@@ -52,7 +52,7 @@ def command_words():
     """Commands and options that the program's parser is told."""
     words = set()
     for path in files_below("apps", ".cpp"):
-        for text in re.findall(r'add_(?:subcommand|option|flag)\(\s*"([^"]+)"', path.read_text()):
+        for text in re.findall(r'\.(?:command|group|option|flag)\(\s*"([^"]+)"', path.read_text()):
             words.update(text.split(","))
     return words
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "commands.h"
+#include "drape_options.h"
 #include "fuai/core/error.h"
 #include "fuai/io/fabric_library.h"
 #include "fuai/io/text_file.h"
@@ -25,17 +26,13 @@ namespace {
 
 struct DrapeCommandOptions {
   std::string fabric;
-  std::string disc = "18cm";      ///< diameter with unit
-  std::string specimen = "30cm";  ///< diameter with unit
-  std::string spacing = "5mm";    ///< with unit
-  int runs = 5;                   ///< specimens
-  std::string path = "ramp";      ///< ramp, release, shakes or support
+  DrapeWords test;
+  std::string path = "ramp";  ///< ramp, release, shakes or support
   std::string solver = "implicit";
   std::string loading = "2s";  ///< time with unit, of the ramp or of lowering the support
   std::string linger;          ///< time with unit to go on at rest; empty: none
   std::string out;             ///< folder; empty: no files
   bool elastic = false;        ///< without friction
-  bool no_bands = false;       ///< assumptions are not tried
   bool convergence = false;    ///< at other spacings too
 };
 
@@ -58,20 +55,12 @@ DrapePath path_value(const std::string& text) {
 }
 
 DrapeTestOptions options_of(const Console& console, const DrapeCommandOptions& command) {
-  DrapeTestOptions options;
-  options.geometry.disc = parse_value(command.disc, kLength, "--disc");
-  options.geometry.specimen = parse_value(command.specimen, kLength, "--specimen");
-  options.geometry.spacing = parse_value(command.spacing, kLength, "--spacing");
+  DrapeTestOptions options = drape_options_of(console, command.test);
   options.method.path = path_value(command.path);
   options.method.solver = command.solver == "explicit" ? DrapeSolver::kExplicit : DrapeSolver::kImplicit;
   options.method.loading = parse_value(command.loading, kTime, "--ramp");
   options.method.linger = command.linger.empty() ? 0.0 : parse_value(command.linger, kTime, "--linger");
-  options.runs = command.runs;
-  options.seed = console.options().seed;
-  options.threads = console.options().threads;
   options.elastic = command.elastic;
-  // One specimen has no spread to set a band against.
-  if (command.no_bands || command.runs < 2) options.band_seeds = 0;
   return options;
 }
 
@@ -285,27 +274,22 @@ int run_drape(const Console& console, const DrapeCommandOptions& command) {
 
 void declare_drape(const Command& parent) {
   const auto options = std::make_shared<DrapeCommandOptions>();
-  constexpr int kMostSpecimens = 1000;
   const Command command =
       parent.command("drape", "The drape test: drape coefficient, nodes, shadow, pictures, mesh");
   command.option("FABRIC", options->fabric, "Bundled name or path of a fabric file").required();
-  command.option("--disc", options->disc, "Diameter of the disc with unit");
-  command.option("--specimen", options->specimen, "Diameter of the cloth with unit");
-  command.option("--spacing", options->spacing, "Distance of the nodes with unit");
-  command.option("--runs", options->runs, "Specimens, each with a seed of its own").range(1, kMostSpecimens);
+  declare_drape_options(command, options->test);
   command
       .option("--path", options->path,
               "How the weight comes on: gravity ramp, sudden release, ramp and three shakes, lowered support")
       .among({"ramp", "release", "shakes", "support"});
   command.option("--ramp", options->loading, "How long the weight, or the support, takes, e.g. 4s");
   command.flag("--elastic", options->elastic, "Without friction: the elastic curves of the laws alone");
-  command.flag("--no-bands", options->no_bands, "Do not try the ends of what was assumed");
   command.flag("--convergence", options->convergence,
                "At 2, 1.5, 1 and 0.75 times the spacing too, with a plot in --out");
   command.option("--solver", options->solver, "implicit, or explicit: the oracle, minutes a specimen")
       .among({"implicit", "explicit"});
   command.option("--linger", options->linger, "Goes on so long once the cloth rests, e.g. 2s");
-  command.option("--out", options->out, "Folder for shadow, pictures, mesh and tables");
+  command.option("--out", options->out, "Folder for shadow, pictures, mesh and tables").file();
   command.examples({"fuai drape wool-tropical --out drape",
                     "fuai drape polyester-faille --disc 12.7cm --specimen 25.4cm",
                     "fuai --json --seed 7 drape graded-6 --runs 2 --elastic"});

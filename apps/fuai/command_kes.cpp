@@ -137,9 +137,10 @@ void declare_kes(const Command& parent) {
   command.option("--spacing", options->spacing,
                  "Distance of the nodes with unit; must divide the specimen's length, 1 cm in bending, "
                  "else 5 cm. Default: 2 mm in bending, 5 mm in shear, 1 cm in tension");
-  command.option("--csv", options->csv, "Write the simulated curve as a curve file");
-  command.option("--plot", options->plot,
-                 "Draw the simulated loop over the fabric's into FILE.png or FILE.svg");
+  command.option("--csv", options->csv, "Write the simulated curve as a curve file").file();
+  command
+      .option("--plot", options->plot, "Draw the simulated loop over the fabric's into FILE.png or FILE.svg")
+      .file();
   command.examples({"fuai kes bending wool-tropical",
                     "fuai kes shear wool-tropical --plot shear.png --csv shear.csv",
                     "fuai --json kes tensile cupro-woven-su1098 --direction weft",

@@ -6,11 +6,17 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <memory>
 
 #include "fuai/io/nearest_name.h"
 
 namespace fuai_app {
+
+namespace {
+
+/// How the help names the value of an option that names a file to write.
+constexpr const char* kFileType = "FILE";
+
+}  // namespace
 
 Option& Option::required() {
   option_->required();
@@ -29,6 +35,11 @@ Option& Option::among(std::initializer_list<int> numbers) {
 
 Option& Option::range(int least, int most) {
   option_->check(CLI::Range(least, most));
+  return *this;
+}
+
+Option& Option::file() {
+  option_->type_name(kFileType);
   return *this;
 }
 
@@ -108,7 +119,7 @@ class FileBelowEnvironment : public CLI::ConfigTOML {
 };
 
 void add_common_options(CLI::App& app, Parsed& parsed) {
-  app.set_version_flag("--version", std::string("fuai ") + FUAI_VERSION);
+  app.set_version_flag("--version", "fuai " + program_version());
   app.add_flag("--json", parsed.common.json, "One JSON object on standard output, nothing else there")
       ->envname("FUAI_JSON");
   app.add_flag("-v,--verbose", parsed.verbose, "Say more, on standard error");
@@ -206,10 +217,61 @@ bool explain_extras(const CLI::App& app) {
   return true;
 }
 
+/// Fills the shape with the options of a command and of its parts.
+void add_shape(const CLI::App& app, CommandShape& shape) {
+  using Kind = CommandShape::Kind;
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_positional()) {
+      shape.words.push_back(option->get_name(true));
+    } else if (option != app.get_help_ptr() && !option->get_lnames().empty()) {
+      const std::string type = option->get_type_name();
+      const Kind other =
+          type == kFileType ? Kind::kFile : (type.starts_with("INT") ? Kind::kInteger : Kind::kText);
+      shape.options.push_back(
+          {option->get_lnames().front(), option->get_items_expected_max() == 0 ? Kind::kFlag : other});
+    }
+  }
+  for (const CLI::App* group : app.get_subcommands(is_option_group)) add_shape(*group, shape);
+}
+
+constexpr const char* kAbout = "fuai: see and feel virtual cloth made of a measured fabric";
+
 }  // namespace
 
-int run_command_line(int argc, char** argv, const std::function<void(const Command&)>& declare) {
-  CLI::App app{"fuai: see and feel virtual cloth made of a measured fabric", "fuai"};
+/// A command line that is read for its mistakes alone.
+struct CommandChecker::Parser {
+  CLI::App app{kAbout, "fuai"};
+  Parsed parsed;
+  CommandBody chosen;
+};
+
+CommandChecker::CommandChecker(const DeclareCommands& declare) : parser_(std::make_unique<Parser>()) {
+  add_common_options(parser_->app, parser_->parsed);
+  declare(Command(&parser_->app, &parser_->chosen));
+}
+
+CommandChecker::~CommandChecker() = default;
+
+CommandShape CommandChecker::shape_of(const std::string& command) const {
+  CommandShape shape;
+  add_shape(*parser_->app.get_subcommand(command), shape);
+  return shape;
+}
+
+std::string CommandChecker::problem_of(const std::vector<std::string>& words) {
+  try {
+    parser_->app.parse(
+        std::vector<std::string>(words.rbegin(), words.rend()));  // it takes them from the back
+  } catch (const CLI::ParseError& e) {
+    return e.what();
+  }
+  return {};
+}
+
+std::string program_version() { return FUAI_VERSION; }
+
+int run_command_line(int argc, char** argv, const DeclareCommands& declare) {
+  CLI::App app{kAbout, "fuai"};
   Parsed parsed;
   CommandBody chosen;
   add_common_options(app, parsed);

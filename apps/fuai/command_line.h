@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <initializer_list>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,8 @@ class Option {
   Option& among(std::initializer_list<const char*> words);
   Option& among(std::initializer_list<int> numbers);
   Option& range(int least, int most);
+  /// The value is the name of a file or folder that the command writes.
+  Option& file();
 
  private:
   CLI::Option* option_;
@@ -66,9 +69,44 @@ class Command {
   CommandBody* chosen_;
 };
 
+/// Adds the commands to the top of a command line.
+using DeclareCommands = std::function<void(const Command&)>;
+
+/// What a command takes: its words in their order ("FABRIC"), and its options with what they are.
+struct CommandShape {
+  enum class Kind { kText, kInteger, kFlag, kFile };
+  struct Named {
+    std::string name;  ///< without dashes
+    Kind kind = Kind::kText;
+  };
+  std::vector<std::string> words;
+  std::vector<Named> options;
+};
+
+/// Knows command lines without running them: for commands that write command lines.
+class CommandChecker {
+ public:
+  explicit CommandChecker(const DeclareCommands& declare);
+  ~CommandChecker();
+  CommandChecker(const CommandChecker&) = delete;
+  CommandChecker& operator=(const CommandChecker&) = delete;
+
+  /// @param command one that exists
+  CommandShape shape_of(const std::string& command) const;
+  /// What the parser says about words after the program's name; empty when it takes them.
+  std::string problem_of(const std::vector<std::string>& words);
+
+ private:
+  struct Parser;
+  std::unique_ptr<Parser> parser_;
+};
+
+/// The version of the program, "0.1.0".
+std::string program_version();
+
 /// Reads the command line, the environment and --config, and runs what they name.
 /// @param declare adds the commands
 /// @return exit code. @throws Error of the command
-int run_command_line(int argc, char** argv, const std::function<void(const Command&)>& declare);
+int run_command_line(int argc, char** argv, const DeclareCommands& declare);
 
 }  // namespace fuai_app

@@ -334,8 +334,10 @@ void declare_simulate(const Command& parent) {
       .option("--precision", options->precision,
               "Of the implicit solver: float, as at run time, or double, as --solver double")
       .among({"float", "double"});
-  command.option("--record", options->record,
-                 "CSV file with a row a step: time, hand, force, moment, status, residual");
+  command
+      .option("--record", options->record,
+              "CSV file with a row a step: time, hand, force, moment, status, residual")
+      .file();
   command.examples({"fuai simulate hanging_sheet",
                     "fuai simulate taut_patch --fabric wool-tropical --seconds 1 --record pull.csv",
                     "fuai --json simulate corner_drape --spacing 5mm --dt 500us --solver double",

@@ -26,11 +26,15 @@ int exit_code(fuai::ErrorKind kind) {
 
 void declare_commands(const Command& top) {
   declare_fabrics(top);
-  const Command fabric = top.group("fabric", "Import or show one fabric");
+  const Command fabric = top.group("fabric", "Import, fit, show or compare fabrics, make a card");
   fabric.examples(
       {"fuai fabric show wool-tropical", "fuai fabric import cupro.physics.json -o cupro.fabric.toml"});
   declare_import(fabric);
   declare_show(fabric);
+  declare_compare(fabric);
+  declare_card(fabric);
+  declare_fit(fabric);
+  declare_bands(fabric);
   declare_paper(top);
   declare_scenes(top);
   declare_render(top);
@@ -40,6 +44,8 @@ void declare_commands(const Command& top) {
   declare_loop(top);
   declare_kes(top);
   declare_haptics(top);
+  declare_report(top);
+  declare_batch(top, declare_commands);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ from html.parser import HTMLParser
 
 from program_tools import FABRIC, SOURCE, Case
 
-COMMANDS = ["fabrics", "fabric", "fabric import", "fabric show", "paper", "scenes", "render", "simulate"]
+COMMANDS = ["fabrics", "fabric", "fabric import", "fabric fit", "fabric bands", "fabric show", "fabric compare", "fabric card", "paper", "scenes", "render", "simulate", "report", "batch"]
 # Any file that is no driver description hides all drivers, as tests/picture does.
 NO_DRIVER = {"__EGL_VENDOR_LIBRARY_FILENAMES": "/dev/null"}
 
@@ -27,11 +27,11 @@ class Unit(Case):
 
     def test_wrong_usage_names_the_word_and_exits_with_2(self):
         for words, message in [
-            (["nosuch"], "has no command 'nosuch'\nThe commands are fabrics, fabric, paper, scenes, render, simulate, cantilever, drape, loop or kes."),
+            (["nosuch"], "has no command 'nosuch'; did you mean 'batch'?\nThe commands are fabrics, fabric, paper, scenes, render, simulate, cantilever, drape, loop, kes, report or batch."),
             (["fabrcs"], "did you mean 'fabrics'?"),
             (["fabric", "shw"], "did you mean 'show'?"),
             (["render", "paper_drape", "--tme", "2s", "-o", "a.png"], "did you mean '--time'?"),
-            (["fabrics", "extra"], "does not take 'extra'"),
+            (["scenes", "extra"], "does not take 'extra'"),
             (["paper", "--figure", "2"], "--figure"),
             (["render", "paper_drape"], "--output is required"),
             (["render", "paper_drape", "-o", "a.png", "--width", "8"], "--width"),

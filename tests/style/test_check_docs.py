@@ -10,7 +10,7 @@ CLEAN = {
     "docs/paper-map.md": '# The map\n| `stretch` | `core/a.h` | "springs pull back" | `fuai paper --figure 4` |\n',
     "src/fuai/core/a.h": "double stretch(double x);\n",
     "tests/core/test_a.cpp": 'TEST_CASE(\n      "springs pull "\n      "back") {}\n',
-    "apps/main.cpp": 'app.add_subcommand("paper", "x"); app.add_option("-f,--figure", x);\n',
+    "apps/main.cpp": 'top.command("paper", "x"); paper.option("-f,--figure", x);\n',
 }
 
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuai/experiments/html_page.h"
 
+#include <algorithm>
+
 #include "fuai/core/error.h"
 
 namespace fuai {
@@ -15,11 +17,16 @@ figcaption { color: #444b55; font-size: .93rem; margin-top: .35rem; }
 .gallery { display: grid; grid-template-columns: repeat(auto-fit, minmax(15rem, 1fr)); gap: .7rem; }
 .gallery div { font-size: .9rem; text-align: center; } .gallery img { width: 100%; }
 table { border-collapse: collapse; margin: 1rem 0; font-size: .93rem; } caption { text-align: left; color: #444b55; padding-bottom: .3rem; }
-th, td { border-bottom: 1px solid #dfe3e8; padding: .25rem .8rem .25rem 0; text-align: right; vertical-align: top; }
+th, td { border-bottom: 1px solid #dfe3e8; padding: .25rem 1.1rem .25rem 0; text-align: right; vertical-align: top; }
 td { white-space: nowrap; }
 th:first-child, td:first-child { text-align: left; } th { border-bottom: 2px solid #9aa3ad; }
 .wide { overflow-x: auto; } code { background: #f2f4f6; padding: 0 .25rem; }
-@media print { body { max-width: none; padding: 0; } h2 { break-after: avoid; } figure, table { break-inside: avoid; } }
+pre { background: #f2f4f6; padding: .6rem .8rem; font-size: .85rem; white-space: pre-wrap; overflow-wrap: anywhere; }
+@page { size: A4; margin: 14mm; }
+@media print {
+  body { max-width: none; padding: 0; font-size: 10.5pt; } h2, h3 { break-after: avoid; } figure, tr { break-inside: avoid; }
+  table { font-size: 9pt; } th, td { padding-right: .5rem; } td { white-space: normal; } .wide { overflow-x: visible; } pre { font-size: 8pt; }
+}
 )";
 
 std::string cell(std::string_view tag, std::string_view text) {
@@ -81,6 +88,24 @@ void HtmlPage::heading(std::string_view text, std::string_view anchor) {
            "</h2>\n";
 }
 
+std::string data_uri(std::string_view type, std::string_view bytes) {
+  constexpr const char* kSigns = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text = "data:" + std::string(type) + ";base64,";
+  // Three bytes are four signs of six bits; the last group is filled with '='.
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    unsigned word = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      word = (word << 8) | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k) text += k <= count ? kSigns[(word >> (18 - 6 * k)) & 63U] : '=';
+  }
+  return text;
+}
+
+void HtmlPage::subheading(std::string_view text) { body_ += cell("h3", text) + "\n"; }
+
+void HtmlPage::listing(std::string_view text) { body_ += cell("pre", text) + "\n"; }
+
 void HtmlPage::paragraph(std::string_view text) { body_ += cell("p", text) + "\n"; }
 
 void HtmlPage::list(const std::vector<std::string>& items) {
@@ -113,8 +138,10 @@ void HtmlPage::gallery(const std::vector<std::pair<std::string, std::string>>& f
                        std::string_view caption) {
   body_ += "<figure><div class=\"gallery\">\n";
   for (const auto& [file, label] : file_and_label) {
-    body_ += "<div><a href=\"" + escape_html(file) + "\"><img src=\"" + escape_html(file) + "\" alt=\"" +
-             escape_html(label) + "\"></a>" + escape_html(label) + "</div>\n";
+    const bool linked = !file.starts_with("data:");
+    body_ += "<div>" + (linked ? "<a href=\"" + escape_html(file) + "\">" : std::string());
+    body_ += "<img src=\"" + escape_html(file) + "\" alt=\"" + escape_html(label) + "\">";
+    body_ += (linked ? "</a>" : "") + escape_html(label) + "</div>\n";
   }
   body_ += "</div>" + cell("figcaption", caption) + "</figure>\n";
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "fuai/core/error.h"
+#include "fuai/fabric/fitted_number.h"
 #include "fuai/fabric/kes_parameters.h"
 #include "fuai/fabric/scalar_laws.h"
 #include "fuai/units/constants.h"
@@ -39,15 +40,6 @@ std::string decimals(double value, int count) {
   char text[64];
   std::snprintf(text, sizeof text, "%.*f", count, value);
   return text;
-}
-
-/// A fitted number in its unit to four significant digits: a hundredth of its standard error, and the same
-/// whatever the last bits of the fit were. @param unit SI value of the unit
-double to_four_digits(double value, double unit) {
-  if (value == 0.0) return 0.0;
-  const double in_unit = value / unit;
-  const double scale = std::pow(10.0, 3.0 - std::floor(std::log10(std::abs(in_unit))));
-  return std::round(in_unit * scale) / scale * unit;
 }
 
 /// The vendor's warning on the bending of a direction: "BendRigidityWarp" -> "low-force".

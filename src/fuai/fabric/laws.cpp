@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <iterator>
 
 #include "fuai/core/error.h"
 #include "fuai/fabric/assumptions.h"
+#include "fuai/fabric/bending_rules.h"
 #include "fuai/fabric/curve_law.h"
 #include "fuai/fabric/scalar_laws.h"
 #include "fuai/fabric/shear_test.h"
@@ -17,30 +17,6 @@ namespace fuai {
 namespace {
 
 using Index = std::size_t;
-
-/// The rule for a missing 2HB: factor on B [1/m] and the sentence that reports it.
-struct HysteresisRule {
-  double per_bending;
-  const char* sentence;
-};
-
-HysteresisRule hysteresis_rule(const Fabric& fabric) {
-  const auto made_of = [&](std::initializer_list<const char*> fibres) {
-    return std::ranges::any_of(
-        fibres, [&](const char* f) { return fabric.composition.find(f) != std::string::npos; });
-  };
-  if (made_of({"otton", "inen", "lax", "綿", "麻"})) {
-    return {assumed::kHysteresisPerBendingCotton,
-            "2HB was not measured: taken as 1.0 /cm times B (cotton, linen)"};
-  }
-  if (made_of(
-          {"ool", "ilk", "olyester", "olyamide", "ylon", "ayon", "iscose", "upro", "cetate", "毛", "絹"})) {
-    return {assumed::kHysteresisPerBendingSmooth,
-            "2HB was not measured: taken as 0.45 /cm times B (wool, filament)"};
-  }
-  return {assumed::kHysteresisPerBendingUnknown,
-          "2HB was not measured: taken as 0.7 /cm times B (fibre not stated)"};
-}
 
 /// Rigidity and hysteresis of one direction after the rules have filled the gaps.
 struct BendingScalars {
@@ -139,11 +115,8 @@ void make_bias_law(const Fabric& fabric, FabricLaws& laws) {
   } else {
     // B45 = (B1 + B2 + 2 B12 + 4 Bt) / 4 with B12 = 0, Bt = 0.25 sqrt(B1 B2); the friction by the same rule.
     const BendingScalars warp = read_off(laws.bending[0]), weft = read_off(laws.bending[1]);
-    const auto rule = [](double a, double b) {
-      return 0.25 * (a + b + 4.0 * assumed::kTwistShare * std::sqrt(a * b));
-    };
-    s.B = rule(warp.B, weft.B);
-    s.hysteresis = rule(warp.hysteresis, weft.hysteresis);
+    s.B = bias_of(warp.B, weft.B, assumed::kTwistShare);
+    s.hysteresis = bias_of(warp.hysteresis, weft.hysteresis, assumed::kTwistShare);
     report.origin = "assumed";
     report.assumptions.emplace_back(
         "no bias test: twist stiffness 0.25 sqrt(B warp B weft), no coupling B12");

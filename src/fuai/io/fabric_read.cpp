@@ -6,9 +6,6 @@
 #include <set>
 #include <utility>
 
-#define TOML_HEADER_ONLY 1
-#include <toml++/toml.h>
-
 #include "fuai/core/error.h"
 #include "fuai/io/curve_csv.h"
 #include "fuai/io/fabric_fields.h"
@@ -17,24 +14,12 @@
 #include "fuai/io/nearest_name.h"
 #include "fuai/io/number_text.h"
 #include "fuai/io/text_file.h"
-#include "fuai/io/toml_guard.h"
+#include "fuai/io/toml_tree.h"
 
 namespace fuai {
 namespace {
 
 constexpr std::string_view kFormat = "fuai-fabric/1";
-
-toml::table parse_toml(std::string_view text, const std::string& name) {
-  check_toml_text(text, name);
-  try {
-    return toml::parse(text, name);
-  } catch (const toml::parse_error& e) {
-    const toml::source_position at = e.source().begin;
-    throw Error(ErrorKind::kBadInput, std::string(e.description()),
-                Where{name, static_cast<int>(at.line), static_cast<int>(at.column), {}},
-                "correct the TOML; the file may be cut off here");
-  }
-}
 
 /// Walks through the tables of one file and fills a fabric.
 class FabricReader {
@@ -49,14 +34,14 @@ class FabricReader {
     for (const std::string& section : sections_) known_.push_back(section);
   }
 
-  Fabric read(const toml::table& root) {
+  Fabric read(const TomlNode& root) {
     fabric_.id = fabric_id_of(name_);
     const std::string format = required_text(root, "format");
     if (format != kFormat)
-      fail(*root.get("format"), "format", "the format is '" + format + "'",
+      fail(*root.find("format"), "format", "the format is '" + format + "'",
            "this version reads \"" + std::string(kFormat) + "\"");
     fabric_.name = required_text(root, "name");
-    if (const toml::node* provenance = root.get("provenance")) read_provenance(*provenance);
+    if (const TomlNode* provenance = root.find("provenance")) read_provenance(*provenance);
     read_table(root, "");
     if (!fabric_.areal_mass.has_value()) {
       throw Error(ErrorKind::kBadInput, "the areal mass is missing",
@@ -70,13 +55,15 @@ class FabricReader {
   }
 
  private:
-  Where place(const toml::source_region& source, const std::string& key) const {
-    return {name_, static_cast<int>(source.begin.line), static_cast<int>(source.begin.column), key};
+  /// @param at a node or a member
+  template <class Placed>
+  Where place(const Placed& at, const std::string& key) const {
+    return {name_, at.line, at.column, key};
   }
 
-  [[noreturn]] void fail(const toml::node& node, const std::string& key, const std::string& what,
+  [[noreturn]] void fail(const TomlNode& node, const std::string& key, const std::string& what,
                          const std::string& cure) const {
-    throw Error(ErrorKind::kBadInput, what, place(node.source(), key), cure);
+    throw Error(ErrorKind::kBadInput, what, place(node, key), cure);
   }
 
   /// Notes a section and the sections that it lies in.
@@ -86,13 +73,13 @@ class FabricReader {
     sections_.insert(section);
   }
 
-  std::string text_of(const toml::node& node, const std::string& key) const {
-    if (!node.is_string()) fail(node, key, "a text is expected", "write it in quotes");
-    return node.as_string()->get();
+  std::string text_of(const TomlNode& node, const std::string& key) const {
+    if (!node.is_text()) fail(node, key, "a text is expected", "write it in quotes");
+    return node.text;
   }
 
-  std::string required_text(const toml::table& root, const char* key) const {
-    const toml::node* node = root.get(key);
+  std::string required_text(const TomlNode& root, const char* key) const {
+    const TomlNode* node = root.find(key);
     std::string text = node ? text_of(*node, key) : std::string();
     if (text.empty()) {
       throw Error(
@@ -110,43 +97,42 @@ class FabricReader {
     return prefix.empty() ? key : prefix + "." + key;
   }
 
-  void read_table(const toml::table& table, const std::string& prefix) {
-    for (const auto& [key, node] : table) {
-      const std::string word(key.str());
-      const std::string path = path_of(prefix, word);
-      if (prefix.empty() && read_top_level(word, node)) continue;
+  void read_table(const TomlNode& table, const std::string& prefix) {
+    for (const TomlMember& member : table.members) {
+      const TomlNode& node = member.value;
+      const std::string path = path_of(prefix, member.key);
+      if (prefix.empty() && read_top_level(member.key, node)) continue;
       if (sections_.contains(path)) {
         if (!node.is_table())
           fail(node, path, "a table is expected", "write [" + path + "] on a line of its own");
-        read_table(*node.as_table(), path);
+        read_table(node, path);
       } else if (!read_number(path, node) && !read_curve(path, node)) {
-        fail_unknown(key, path, prefix, node);
+        fail_unknown(member, path, prefix);
       }
     }
   }
 
-  bool read_top_level(const std::string& key, const toml::node& node) {
+  bool read_top_level(const std::string& key, const TomlNode& node) {
     if (key == "composition") fabric_.composition = text_of(node, key);
     if (key == "note") fabric_.note = text_of(node, key);
     return key == "format" || key == "name" || key == "composition" || key == "note" || key == "provenance";
   }
 
-  bool read_number(const std::string& path, const toml::node& node) {
+  bool read_number(const std::string& path, const TomlNode& node) {
     const auto field =
         std::find_if(fields_.begin(), fields_.end(), [&](const auto& f) { return f.path() == path; });
     if (field == fields_.end()) return false;
     if (!node.is_number()) {
-      fail(node, path, node.is_string() ? "a number is expected, not a text" : "a number is expected",
-           node.is_string() ? "remove the quotes" : "write " + field->key + " = 1.0");
+      fail(node, path, node.is_text() ? "a number is expected, not a text" : "a number is expected",
+           node.is_text() ? "remove the quotes" : "write " + field->key + " = 1.0");
     }
-    const double number =
-        node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get();
-    check_field(*field, number, place(node.source(), path), fabric_.warnings);
+    const double number = node.number;
+    check_field(*field, number, place(node, path), fabric_.warnings);
     *field->value = {number * field->to_si, provenance_of(path)};
     return true;
   }
 
-  bool read_curve(const std::string& path, const toml::node& node) {
+  bool read_curve(const std::string& path, const TomlNode& node) {
     const auto field =
         std::find_if(curves_.begin(), curves_.end(), [&](const auto& f) { return f.path() == path; });
     if (field == curves_.end()) return false;
@@ -174,14 +160,14 @@ class FabricReader {
 
   /// The cure of an unknown key: the key that was meant, with the number converted when its unit is another
   /// one.
-  std::string meant_key(const std::string& path, const std::string& section, const toml::node& node) const {
+  std::string meant_key(const std::string& path, const std::string& section, const TomlNode& node) const {
     std::vector<std::string> words = split_words(path.substr(section.empty() ? 0 : section.size() + 1));
     for (const FabricField& field : fields_) {
       if (words.empty() || field.section != section || !field.kes ||
           kes_quantity(*field.kes).symbol != words[0])
         continue;
       const std::optional<Unit> unit = unit_from_words({words.begin() + 1, words.end()});
-      const std::optional<double> number = node.value<double>();
+      const std::optional<double> number = node.is_number() ? std::optional(node.number) : std::nullopt;
       const bool converts =
           words.size() > 1 && unit && number && unit->dimension == parse_unit(field.unit).dimension;
       return "write " + field.key +
@@ -194,10 +180,10 @@ class FabricReader {
     return "remove it; the fabric file format lists the known keys";
   }
 
-  [[noreturn]] void fail_unknown(const toml::key& key, const std::string& path, const std::string& section,
-                                 const toml::node& node) const {
-    throw Error(ErrorKind::kBadInput, node.is_table() ? "unknown section" : "unknown key",
-                place(key.source(), path), meant_key(path, section, node));
+  [[noreturn]] void fail_unknown(const TomlMember& member, const std::string& path,
+                                 const std::string& section) const {
+    throw Error(ErrorKind::kBadInput, member.value.is_table() ? "unknown section" : "unknown key",
+                place(member, path), meant_key(path, section, member.value));
   }
 
   // ---- provenance
@@ -209,7 +195,7 @@ class FabricReader {
     bool used = false;
   };
 
-  ProvenanceKind kind_of(const toml::node& node, const std::string& key) const {
+  ProvenanceKind kind_of(const TomlNode& node, const std::string& key) const {
     constexpr ProvenanceKind kKinds[] = {ProvenanceKind::kMeasured, ProvenanceKind::kComputed,
                                          ProvenanceKind::kFitted, ProvenanceKind::kStatistic,
                                          ProvenanceKind::kAssumed};
@@ -221,37 +207,37 @@ class FabricReader {
          "write measured, computed, fitted, statistic or assumed");
   }
 
-  void read_provenance(const toml::node& node) {
+  void read_provenance(const TomlNode& node) {
     if (!node.is_table())
       fail(node, "provenance", "a table is expected", "write [provenance] on a line of its own");
-    for (const auto& [key, value] : *node.as_table()) {
-      const std::string path(key.str());
+    for (const TomlMember& member : node.members) {
+      const TomlNode& value = member.value;
+      const std::string& path = member.key;
       const std::string shown = "provenance.\"" + path + "\"";
       if (std::find(known_.begin(), known_.end(), path) == known_.end()) {
         const std::vector<std::string> nearest = nearest_names(path, known_);
-        throw Error(ErrorKind::kBadInput, "this names no block or key of a fabric file",
-                    place(key.source(), shown),
+        throw Error(ErrorKind::kBadInput, "this names no block or key of a fabric file", place(member, shown),
                     nearest.empty() ? "write a block such as \"bending\""
                                     : "the nearest is \"" + nearest.front() + "\"");
       }
       if (!value.is_table())
         fail(value, shown, "a table is expected", R"(write { kind = "measured", source = "..." })");
       Entry entry;
-      entry.where = place(key.source(), shown);
+      entry.where = place(member, shown);
       bool has_kind = false;
-      for (const auto& [part, text] : *value.as_table()) {
-        const std::string part_key = shown + "." + std::string(part.str());
-        if (part.str() == "kind") {
-          entry.provenance.kind = kind_of(text, part_key);
+      for (const TomlMember& part : value.members) {
+        const std::string part_key = shown + "." + part.key;
+        if (part.key == "kind") {
+          entry.provenance.kind = kind_of(part.value, part_key);
           has_kind = true;
-        } else if (part.str() == "source") {
-          entry.provenance.source = text_of(text, part_key);
-        } else if (part.str() == "quality") {
-          entry.provenance.quality = text_of(text, part_key);
+        } else if (part.key == "source") {
+          entry.provenance.source = text_of(part.value, part_key);
+        } else if (part.key == "quality") {
+          entry.provenance.quality = text_of(part.value, part_key);
         } else {
-          throw Error(ErrorKind::kBadInput, "unknown key", place(part.source(), part_key),
+          throw Error(ErrorKind::kBadInput, "unknown key", place(part, part_key),
                       "write kind, source and quality; a dotted name stands in quotes: \"" + path + "." +
-                          std::string(part.str()) + "\" = { ... }");
+                          part.key + "\" = { ... }");
         }
       }
       if (!has_kind || entry.provenance.source.empty())
@@ -301,8 +287,7 @@ class FabricReader {
 }  // namespace
 
 Fabric parse_fabric(std::string_view text, const std::string& name, const std::string& folder) {
-  const toml::table root = parse_toml(text, name);
-  return FabricReader(name, folder).read(root);
+  return FabricReader(name, folder).read(parse_toml(text, name));
 }
 
 Fabric read_fabric_file(const std::string& path) {

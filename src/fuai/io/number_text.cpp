@@ -27,6 +27,12 @@ std::string number_text(double si, double to_si) {
   return with_digits(value, kMostDigits);
 }
 
-std::string brief_number(double value) { return with_digits(value, 6); }
+std::string brief_number(double value, int digits) { return with_digits(value, digits); }
+
+std::string fixed_number(double value, int decimals) {
+  char text[512];  // the largest double has 309 digits before the point
+  const auto [end, code] = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals);
+  return code == std::errc() ? std::string(text, end) : std::string("nan");
+}
 
 }  // namespace fuai

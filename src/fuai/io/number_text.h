@@ -11,7 +11,10 @@ namespace fuai {
 /// @param si finite value [SI]. @param to_si SI value of one unit of the text. Thread class: any.
 std::string number_text(double si, double to_si = 1.0);
 
-/// A value for a message: at most 6 significant digits. Thread class: any.
-std::string brief_number(double value);
+/// A value for a message: at most 6 significant digits, or so many. Thread class: any.
+std::string brief_number(double value, int digits = 6);
+
+/// A value with so many digits behind the point. Thread class: any.
+std::string fixed_number(double value, int decimals);
 
 }  // namespace fuai

@@ -252,6 +252,17 @@ void set_colour(cairo_t* cairo, const Colour& c) {
   cairo_set_source_rgba(cairo, c.red, c.green, c.blue, c.alpha);
 }
 
+void draw_image(cairo_t* cairo, const Image& image, double left, double top, double width, double height) {
+  const Canvas pixels(image);
+  cairo_save(cairo);
+  cairo_translate(cairo, left, top);
+  cairo_scale(cairo, width / image.width, height / image.height);
+  cairo_set_source_surface(cairo, pixels.surface(), 0.0, 0.0);
+  cairo_pattern_set_filter(cairo_get_source(cairo), CAIRO_FILTER_GOOD);
+  cairo_paint(cairo);
+  cairo_restore(cairo);
+}
+
 TextBox measure_text(cairo_t* cairo, std::string_view text, const TextStyle& style) {
   TextBox box;
   const std::vector<std::string> lines = split_lines(clean_utf8(text));

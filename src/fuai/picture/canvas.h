@@ -44,6 +44,7 @@ class Canvas {
   Canvas& operator=(Canvas&&) = delete;
 
   cairo_t* cairo() const { return context_; }
+  cairo_surface_t* surface() const { return surface_; }
   /// What was drawn. Throw Error kCheckFailed with Cairo's message when something went wrong.
   Image take_image();
   std::string take_svg();
@@ -56,6 +57,9 @@ class Canvas {
 };
 
 void set_colour(cairo_t* cairo, const Colour& colour);
+
+/// Draws an image over a rectangle, stretched to it. @param left, top, width, height [user unit]
+void draw_image(cairo_t* cairo, const Image& image, double left, double top, double width, double height);
 
 /// Size of a text; "\n" starts a line.
 TextBox measure_text(cairo_t* cairo, std::string_view text, const TextStyle& style);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fuai/core/error.h"
+#include "fuai/picture/plot_page.h"
 #include "fuai/picture/plot_panel.h"
 
 namespace fuai {
@@ -13,10 +14,16 @@ namespace {
 
 constexpr double kTitleSize = 13.0;  // [pt]
 
-/// Draws the page: the one routine behind PNG and SVG. @param width, height [pt]
-void draw_page(cairo_t* cairo, const PlotGrid& grid, double width, double height) {
-  set_colour(cairo, {1.0, 1.0, 1.0, 1.0});
-  cairo_paint(cairo);
+void check_grid(const PlotGrid& grid, int width, int height, double scale) {
+  if (grid.columns < 1) throw Error(ErrorKind::kUsage, "a grid of plots needs at least one column");
+  if (!(scale > 0.0) || scale > 64.0)
+    throw Error(ErrorKind::kUsage, "the scale of a plot must be in (0, 64]");
+  check_image_size(width, height);
+}
+
+}  // namespace
+
+void draw_plots(cairo_t* cairo, const PlotGrid& grid, double width, double height) {
   double top = 4.0;
   if (!grid.title.empty()) {
     TextStyle style;
@@ -54,15 +61,6 @@ void draw_page(cairo_t* cairo, const PlotGrid& grid, double width, double height
   }
 }
 
-void check_grid(const PlotGrid& grid, int width, int height, double scale) {
-  if (grid.columns < 1) throw Error(ErrorKind::kUsage, "a grid of plots needs at least one column");
-  if (!(scale > 0.0) || scale > 64.0)
-    throw Error(ErrorKind::kUsage, "the scale of a plot must be in (0, 64]");
-  check_image_size(width, height);
-}
-
-}  // namespace
-
 std::string plot_png(const PlotGrid& grid, int width, int height, double scale) {
   check_grid(grid, width, height, scale);
   Image blank;
@@ -73,7 +71,7 @@ std::string plot_png(const PlotGrid& grid, int width, int height, double scale) 
                       255);
   Canvas canvas(blank);
   cairo_scale(canvas.cairo(), scale, scale);
-  draw_page(canvas.cairo(), grid, width, height);
+  draw_plots(canvas.cairo(), grid, width, height);
   return encode_png(canvas.take_image());
 }
 
@@ -84,7 +82,9 @@ std::string plot_png(const Plot& plot, int width, int height, double scale) {
 std::string plot_svg(const PlotGrid& grid, int width, int height) {
   check_grid(grid, width, height, 1.0);
   Canvas canvas(static_cast<double>(width), static_cast<double>(height));
-  draw_page(canvas.cairo(), grid, width, height);
+  set_colour(canvas.cairo(), {1.0, 1.0, 1.0, 1.0});
+  cairo_paint(canvas.cairo());
+  draw_plots(canvas.cairo(), grid, width, height);
   return canvas.take_svg();
 }
 

@@ -4,6 +4,7 @@
 #include "fuai/picture/image.h"
 #include "fuai/picture/offscreen_renderer.h"
 #include "fuai/picture/plot.h"
+#include "fuai/picture/sheet.h"
 
 namespace fuai {
 namespace {
@@ -30,5 +31,8 @@ std::string plot_png(const PlotGrid&, int, int, double) { fail(); }
 std::string plot_png(const Plot&, int, int, double) { fail(); }
 std::string plot_svg(const PlotGrid&, int, int) { fail(); }
 std::string plot_svg(const Plot&, int, int) { fail(); }
+
+std::string sheet_png(const Sheet&, double) { fail(); }
+std::string sheet_svg(const Sheet&) { fail(); }
 
 }  // namespace fuai
