@@ -15,6 +15,7 @@ void declare_compare(const Command& parent);
 void declare_drape(const Command& parent);
 void declare_fabrics(const Command& parent);
 void declare_fit(const Command& parent);
+void declare_haptics(const Command& parent);
 void declare_import(const Command& parent);
 void declare_kes(const Command& parent);
 void declare_loop(const Command& parent);

@@ -123,9 +123,4 @@ Vec3 start_position(const EngineScene& scene, const Vec2& material) {
   return material_position(make_material_point(scene.model, material), scene.start.positions);
 }
 
-double smooth_rise(double time, double begin, double end) noexcept {
-  const double s = std::clamp((time - begin) / (end - begin), 0.0, 1.0);
-  return s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
-}
-
 }  // namespace fuai

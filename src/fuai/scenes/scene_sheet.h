@@ -3,6 +3,7 @@
 #pragma once
 
 #include "fuai/cloth/cloth_piece.h"
+#include "fuai/core/smooth_rise.h"
 #include "fuai/fabric/laws.h"
 #include "fuai/scenes/engine_scene.h"
 
@@ -32,9 +33,5 @@ EngineScene make_clamped_sheet(const char* name, const FabricLaws& laws, const S
 
 /// Where a point of the cloth is when the scene starts [m]. Thread class: set-up.
 Vec3 start_position(const EngineScene& scene, const Vec2& material);
-
-/// 0 before `begin`, 1 from `end` on, in between 10 s^3 - 15 s^4 + 6 s^5: speed and acceleration begin and
-/// end at zero. Thread class: real-time.
-double smooth_rise(double time, double begin, double end) noexcept;
 
 }  // namespace fuai

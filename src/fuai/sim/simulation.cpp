@@ -25,7 +25,8 @@ ClothSimulation::ClothSimulation(const ClothModel& model, const ClothMaterial& m
       solver_(make_cloth_solver(*model_, *material_, options, room_for(most_grasps))),
       holds_(static_cast<std::size_t>(most_grasps)),
       attachments_(room_for(most_grasps).attachments),
-      groups_(room_for(most_grasps).groups) {
+      groups_(room_for(most_grasps).groups),
+      gravity_(options.implicit.gravity) {
   for (int slot = 0; slot < model.slot_count(); ++slot)
     if (model.fixed[static_cast<std::size_t>(slot)] != 0) fixed_slots_.push_back(slot);
 }
@@ -45,6 +46,29 @@ SimulationReading ClothSimulation::read() const {
   for (const Vec3& v : state.velocities) reading.max_speed = std::max(reading.max_speed, v.norm());
   reading.state_hash = state_hash(state);
   return reading;
+}
+
+double ClothSimulation::stored_energy(ClothState& scratch) const {
+  solver_->save(scratch);
+  double energy = cloth_free_energy(*model_, *material_, scratch, gravity_).total() +
+                  cloth_kinetic_energy(*model_, scratch);
+  for (const Hold& hold : holds_) {
+    if (!hold.active) continue;
+    const GraspSpec& spec = hold.grasp.spec();
+    double springs = 0.0;
+    Vec3 pull = Vec3::Zero();
+    for (std::size_t i = 0; i < hold.grasp.size(); ++i) {
+      const Vec3 gap = hold.grasp.target(i) - solver_->position(hold.grasp.slot(i));
+      const double k = spec.stiffness * hold.grasp.weight(i);
+      springs += 0.5 * k * gap.squaredNorm();
+      pull += k * gap;
+    }
+    // Beyond its most force F the common part of the gap stores F gap - F^2 / 2K instead of K gap^2 / 2.
+    const double force = pull.norm(), most = spec.most_force;
+    if (force > most) springs -= 0.5 * (force - most) * (force - most) / spec.stiffness;
+    energy += springs;
+  }
+  return energy;
 }
 
 int ClothSimulation::grasp(const GraspSpec& spec, const Vec3& hand) noexcept {

@@ -64,6 +64,11 @@ class ClothSimulation {
   /// Energies, largest strain, hash. Thread class: set-up.
   SimulationReading read() const;
 
+  /// All that the cloth and its holds could still give [J]: free energy, weight, motion, springs of the holds
+  /// (of a saturated one what its force would give back). Energies by the solver's material, whatever the
+  /// solver. @param scratch any state; allocates when it is empty. Thread class: real-time once it is not.
+  double stored_energy(ClothState& scratch) const;
+
   /// Grips the cloth. A solver whose holds are rigid gets the nearest particle alone, as in the founding
   /// paper: a patch held stiff would be another cloth. @param hand where the hand is [m]. @return number of
   /// the hold, or -1 when there is no cloth there or no hold left. Thread class: real-time.
@@ -110,6 +115,7 @@ class ClothSimulation {
   std::vector<Attachment> attachments_;
   std::vector<AttachmentGroup> groups_;
   std::vector<int> fixed_slots_;
+  Vec3 gravity_;
 };
 
 /// The simulation on the implicit solver of T, float or double.
