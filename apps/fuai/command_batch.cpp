@@ -92,6 +92,7 @@ int list_cases(const Console& console, const std::vector<BatchCase>& cases) {
 /// The named cases, in the order of the manifest.
 std::vector<BatchCase> chosen_of(const std::vector<BatchCase>& cases, const std::vector<std::string>& only) {
   std::vector<std::string> ids;
+  ids.reserve(cases.size());
   for (const BatchCase& one : cases) ids.push_back(one.id);
   for (const std::string& id : only) {
     if (std::ranges::find(ids, id) != ids.end()) continue;
@@ -108,8 +109,8 @@ std::vector<BatchCase> chosen_of(const std::vector<BatchCase>& cases, const std:
 
 /// "exit code 3: fuai: ..." with the first line that it said as an error.
 std::string reason_of(const CaseRecord& record) {
-  const std::string how = record.signal != 0 ? "signal " + std::to_string(record.signal)
-                                             : "exit code " + std::to_string(record.exit_code);
+  std::string how = record.signal != 0 ? "signal " + std::to_string(record.signal)
+                                       : "exit code " + std::to_string(record.exit_code);
   const std::size_t begin = record.messages.find("fuai: ");
   if (begin == std::string::npos) return how;
   return how + ": " + record.messages.substr(begin, record.messages.find('\n', begin) - begin);

@@ -19,7 +19,7 @@
 namespace fuai {
 namespace {
 
-[[noreturn]] void fail(const std::string& path, const std::string& what, const std::string& cure) {
+[[noreturn]] void refuse(const std::string& path, const std::string& what, const std::string& cure) {
   throw Error(ErrorKind::kBadInput, what, Where{path, 0, 0, {}}, cure);
 }
 
@@ -107,8 +107,8 @@ void write_all(int descriptor, std::string_view bytes, const std::string& path) 
     const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0)
-      fail(path, std::string("cannot write: ") + std::strerror(errno),
-           "free some space or choose another place");
+      refuse(path, std::string("cannot write: ") + std::strerror(errno),
+             "free some space or choose another place");
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
 }
@@ -122,15 +122,15 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
 std::filesystem::path target_of(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code code;
-  if (path.empty()) fail("", "the name of the file to write is empty", "give the name of a file");
+  if (path.empty()) refuse("", "the name of the file to write is empty", "give the name of a file");
   if (!fs::is_directory(folder_of(path), code))
-    fail(path, "the folder '" + folder_of(path).string() + "' does not exist", "make the folder first");
+    refuse(path, "the folder '" + folder_of(path).string() + "' does not exist", "make the folder first");
   const fs::file_status status = fs::status(path, code);
-  if (fs::is_directory(status)) fail(path, "this is a directory", "give the name of a file");
+  if (fs::is_directory(status)) refuse(path, "this is a directory", "give the name of a file");
   if (!fs::exists(status)) return path;
-  if (!fs::is_regular_file(status)) fail(path, "this is not a regular file", "give the name of a file");
+  if (!fs::is_regular_file(status)) refuse(path, "this is not a regular file", "give the name of a file");
   fs::path target = fs::canonical(path, code);
-  if (code) fail(path, "the path cannot be followed: " + code.message(), "choose another place");
+  if (code) refuse(path, "the path cannot be followed: " + code.message(), "choose another place");
   return target;
 }
 
@@ -144,22 +144,22 @@ class StagedFile {
                     std::to_string(counter.fetch_add(1)) + ".tmp");
     Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (file.number() < 0)
-      fail(path_, std::string("cannot write into the folder: ") + std::strerror(errno),
-           "check its permissions");
+      refuse(path_, std::string("cannot write into the folder: ") + std::strerror(errno),
+             "check its permissions");
     temporary_.reset(new std::filesystem::path(temporary));
     struct stat old {};
     if (::stat(target_.c_str(), &old) == 0 && ::fchmod(file.number(), old.st_mode & 07777) != 0)
-      fail(path_, std::string("cannot set the permissions: ") + std::strerror(errno), {});
+      refuse(path_, std::string("cannot set the permissions: ") + std::strerror(errno), {});
     write_all(file.number(), bytes, path_);
     if (::fsync(file.number()) != 0 || !file.close())
-      fail(path_, std::string("cannot write: ") + std::strerror(errno),
-           "free some space or choose another place");
+      refuse(path_, std::string("cannot write: ") + std::strerror(errno),
+             "free some space or choose another place");
   }
 
   /// One step from the old file to the new one.
   void commit() {
     if (::rename(temporary_->c_str(), target_.c_str()) != 0)
-      fail(path_, std::string("cannot replace the file: ") + std::strerror(errno), "check its permissions");
+      refuse(path_, std::string("cannot replace the file: ") + std::strerror(errno), "check its permissions");
     delete temporary_.release();
     const Descriptor directory(::open(folder().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (directory.number() >= 0) ::fsync(directory.number());  // the name; a failure loses nothing written
@@ -193,28 +193,28 @@ std::string read_bytes(const std::string& path, std::uint64_t limit) {
   // O_NONBLOCK: opening a pipe without a writer must not hang; it is refused just below.
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (file.number() < 0 && (errno == ENOENT || errno == ENOTDIR))
-    fail(path, "the file does not exist", "check the path");
+    refuse(path, "the file does not exist", "check the path");
   if (file.number() < 0)
-    fail(path, std::string("the file cannot be opened: ") + std::strerror(errno),
-         "check the path and its permissions");
+    refuse(path, std::string("the file cannot be opened: ") + std::strerror(errno),
+           "check the path and its permissions");
   struct stat info {};
   if (::fstat(file.number(), &info) != 0)
-    fail(path, std::string("the file cannot be examined: ") + std::strerror(errno), {});
-  if (S_ISDIR(info.st_mode)) fail(path, "this is a directory, not a file", "give one of the files in it");
-  if (!S_ISREG(info.st_mode)) fail(path, "this is not a regular file", "copy the data into a file first");
+    refuse(path, std::string("the file cannot be examined: ") + std::strerror(errno), {});
+  if (S_ISDIR(info.st_mode)) refuse(path, "this is a directory, not a file", "give one of the files in it");
+  if (!S_ISREG(info.st_mode)) refuse(path, "this is not a regular file", "copy the data into a file first");
   const auto size = static_cast<std::uint64_t>(info.st_size);
-  if (size == 0) fail(path, "the file is empty", "check that it was saved or copied completely");
+  if (size == 0) refuse(path, "the file is empty", "check that it was saved or copied completely");
   if (size > limit) {
-    fail(path,
-         "the file has " + std::to_string(size) + " bytes, more than the limit of " + std::to_string(limit),
-         "measurements are far smaller: check that this is the right file");
+    refuse(path,
+           "the file has " + std::to_string(size) + " bytes, more than the limit of " + std::to_string(limit),
+           "measurements are far smaller: check that this is the right file");
   }
   std::string bytes(size, '\0');
   std::size_t done = 0;
   while (done < bytes.size()) {
     const ssize_t count = ::read(file.number(), bytes.data() + done, bytes.size() - done);
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail(path, std::string("the file cannot be read: ") + std::strerror(errno), {});
+    if (count < 0) refuse(path, std::string("the file cannot be read: ") + std::strerror(errno), {});
     if (count == 0) break;  // the file became shorter meanwhile
     done += static_cast<std::size_t>(count);
   }
@@ -224,9 +224,9 @@ std::string read_bytes(const std::string& path, std::uint64_t limit) {
 
 std::string decode_text(std::string_view bytes, const std::string& name) {
   if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
-    fail(name, "this is UTF-16 text", "save the file as UTF-8");
+    refuse(name, "this is UTF-16 text", "save the file as UTF-8");
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
-  if (bytes.empty()) fail(name, "the file is empty", "check that it was saved or copied completely");
+  if (bytes.empty()) refuse(name, "the file is empty", "check that it was saved or copied completely");
   if (const std::size_t nul = bytes.find('\0'); nul != std::string_view::npos) {
     throw Error(ErrorKind::kBadInput, "there is a NUL byte: this is a binary file, not text",
                 place_of(bytes, nul, name), "export the data as text (CSV, TOML or JSON)");
@@ -259,7 +259,8 @@ void write_together(std::span<const NamedText> files) {
 void check_can_write(const std::string& path) {
   const std::filesystem::path target = target_of(path);
   if (::access(folder_of(target).c_str(), W_OK | X_OK) != 0)
-    fail(path, std::string("cannot write into the folder: ") + std::strerror(errno), "check its permissions");
+    refuse(path, std::string("cannot write into the folder: ") + std::strerror(errno),
+           "check its permissions");
 }
 
 }  // namespace fuai

@@ -136,8 +136,8 @@ BatchOutcome run_batch(std::span<const BatchCase> cases, const BatchOptions& opt
 
 std::vector<std::string> write_batch_results(const BatchOutcome& outcome, const std::string& folder,
                                              const std::string& manifest) {
-  const std::vector<std::string> paths{(fs::path(folder) / "results.csv").string(),
-                                       (fs::path(folder) / "results.json").string()};
+  std::vector<std::string> paths{(fs::path(folder) / "results.csv").string(),
+                                 (fs::path(folder) / "results.json").string()};
   write_together(std::vector<NamedText>{{paths[0], format_results_csv(outcome.records)},
                                         {paths[1], format_results_json(outcome.records, manifest)}});
   return paths;

@@ -57,7 +57,7 @@ void show_within(double range, Plot& plot) {
 }  // namespace
 
 std::string signed_number(double value, int decimals) {
-  const std::string size = fixed_number(std::abs(value), decimals);
+  std::string size = fixed_number(std::abs(value), decimals);
   if (size.find_first_not_of("0.") == std::string::npos) return size;  // nothing of it shows
   return (value < 0.0 ? "−" : "+") + size;
 }

@@ -140,7 +140,7 @@ class DrapeSearch {
     test.seed = options_.seed;
     test.threads = options_.threads;
     test.band_seeds = band_seeds;
-    const DrapeTest done = run_drape_test(make_fabric_laws(tried), test);
+    DrapeTest done = run_drape_test(make_fabric_laws(tried), test);
     runs_ += test.runs + (band_seeds > 0 ? 4 * band_seeds : 0);
     // About 13 rigidities in all.
     if (progress_) progress_("drape fit", std::min(0.95, runs_ / (13.0 * test.runs)));

@@ -23,7 +23,8 @@ std::string direction_of(const KesTest& test) {
   return to_string(*test.direction);
 }
 
-void add_plots(HtmlPage& page, PlotGrid grid, const std::string& caption, const std::string& alternative) {
+void add_plots(HtmlPage& page, const PlotGrid& grid, const std::string& caption,
+               const std::string& alternative) {
   const int rows = (static_cast<int>(grid.plots.size()) + grid.columns - 1) / grid.columns;
   page.figure(data_uri("image/svg+xml", plot_svg(grid, kPlotWidth * grid.columns, kPlotHeight * rows)),
               caption, alternative);
@@ -228,7 +229,7 @@ std::string quoted(const std::string& word) {
 std::string in_millimetres(double length) {
   constexpr int kMostDecimals = 9;
   for (int decimals = 0; decimals <= kMostDecimals; ++decimals) {
-    const std::string text = fixed_number(length / unit::kMillimetre, decimals) + "mm";
+    std::string text = fixed_number(length / unit::kMillimetre, decimals) + "mm";
     if (parse_value(text, kLength, "length") == length) return text;
   }
   return number_text(length, unit::kMillimetre) + "mm";
@@ -250,7 +251,7 @@ std::string repeating_commands(const ReportOptions& options) {
   if (options.names.size() > 1) text += "\nfuai fabric compare" + names;
   for (const std::string& name : options.names) {
     text += "\nfuai fabric show " + quoted(name);
-    text += "\n" + head + "drape " + quoted(name) + test;
+    text.append("\n").append(head).append("drape ").append(quoted(name)).append(test);
     for (const KesTest& kes : options.kes) {
       text += std::string("\nfuai kes ") + to_string(kes.test) + " " + quoted(name);
       if (kes.direction) text += std::string(" --direction ") + to_string(*kes.direction);

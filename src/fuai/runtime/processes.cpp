@@ -20,8 +20,6 @@
 
 #include "fuai/core/error.h"
 
-extern char** environ;
-
 namespace fuai {
 namespace {
 

@@ -1,0 +1,87 @@
+"""Writes units that read many source files at once, for tidy.sh: no two files of a unit name something alike.
+
+Usage: tidy_groups.py FOLDER FILE...   with FOLDER/compile_commands.json; makes FOLDER/unit*/unit.cpp and a database
+beside each, one command with the include paths and definitions of all files.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+import json
+import pathlib
+import re
+import shlex
+import sys
+
+MOST = 24  # files of a unit: more pay little, and a unit is what one core works on
+OWN = re.compile(r"^namespace \{\n(.*?)^\}  // namespace$", re.M | re.S)
+CONSTANTS = re.compile(r"\b(k[A-Z]\w*)\s*[={\[]")
+TYPES = re.compile(r"^(?:class|struct|enum class|enum|using|union) (\w+)", re.M)
+FUNCTIONS = re.compile(
+    r"^(?!class|struct|enum|using|namespace|template|return)[A-Za-z_][\w:<>&*,\[\] ]*[ &*](\w+)\(", re.M)
+
+
+def own_names(path):
+    """What a file declares for itself, at the left margin of its unnamed namespaces."""
+    text = "\n".join(OWN.findall(path.read_text(encoding="utf-8")))
+    return set(CONSTANTS.findall(text) + TYPES.findall(text) + FUNCTIONS.findall(text))
+
+
+def public_names(folder):
+    """Types and constants of all headers: with its own of that name a file reads only what it includes itself."""
+    texts = [path.read_text(encoding="utf-8") for path in sorted(folder.rglob("*.h"))]
+    return {name for text in texts for name in CONSTANTS.findall(text) + TYPES.findall(text)}
+
+
+def grouped(files):
+    """Each file goes into the first group that knows none of its names."""
+    groups = []
+    for file in files:
+        names = own_names(file)
+        group = next((g for g in groups if len(g[0]) < MOST and not g[1] & names), None)
+        if group is None:
+            group = ([], set())
+            groups.append(group)
+        group[0].append(file)
+        group[1].update(names)
+    return [files for files, _ in groups]
+
+
+def common_command(entries):
+    """The words of one command, and of the others what they include and define."""
+    words = shlex.split(entries[0]["command"])
+    words = words[:words.index("-c")]
+    if "-o" in words:
+        del words[words.index("-o"):words.index("-o") + 2]
+    for entry in entries[1:]:
+        other = shlex.split(entry["command"])
+        for i, word in enumerate(other):
+            if word.startswith(("-I", "-D")) and word not in words:
+                words.append(word)
+            if word == "-isystem" and other[i + 1] not in words:
+                words += [word, other[i + 1]]
+    return words
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1])
+    files = [pathlib.Path(name) for name in sys.argv[2:]]
+    entries = {e["file"]: e for e in json.loads((folder / "compile_commands.json").read_text())}
+    built = [f for f in files if str(f) in entries]
+    words = common_command([entries[str(f)] for f in built])
+    public = public_names(pathlib.Path(__file__).resolve().parents[1] / "src")
+    # What this configuration does not build stands in for files that it does.
+    alone = [f for f in files if str(f) not in entries or own_names(f) & public]
+    groups = grouped([f for f in files if f not in alone]) + [[f] for f in alone]
+    for number, group in enumerate(groups):
+        place = folder / f"unit{number:03}"
+        place.mkdir()
+        unit = place / "unit.cpp"
+        unit.write_text("".join(f'#include "{file}"  // NOLINT(bugprone-suspicious-include)\n' for file in group))
+        (place / "files").write_text("".join(f"{file}\n" for file in group))
+        entry = {"directory": entries[str(built[0])]["directory"], "file": str(unit),
+                 "command": shlex.join(words + ["-c", str(unit)])}
+        (place / "compile_commands.json").write_text(json.dumps([entry]))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
