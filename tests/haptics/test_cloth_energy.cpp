@@ -31,7 +31,7 @@ Books books_of(const ClothTrial& trial) {
 
 }  // namespace
 
-TEST_SUITE("property") {
+TEST_SUITE("property+slow") {
   TEST_CASE("every fabric in every hand, cloth at 1 kHz and at 60 Hz with a tangent") {
     double worst = 0.0, worst_observed = 0.0;
     for (const char* fabric : kFabrics) {
@@ -55,7 +55,9 @@ TEST_SUITE("property") {
     }
     MESSAGE("least " << 1e3 * worst << " mJ, observed " << 1e3 * worst_observed << " mJ");
   }
+}
 
+TEST_SUITE("property") {
   TEST_CASE("a held force gives energy away, and the controller takes it back") {
     // The same cloth at 60 Hz without a tangent, pulled taut in light fingers.
     ClothTrial trial;

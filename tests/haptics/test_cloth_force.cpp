@@ -10,7 +10,7 @@
 using namespace fuai;
 using namespace fuai_test;
 
-TEST_SUITE("crosscheck") {
+TEST_SUITE("crosscheck+slow") {
   TEST_CASE("the felt force is the converged one: every fabric, pulled and bent, cloth at 1 kHz") {
     for (const char* fabric : kFabrics) {
       for (bool bending : {false, true}) {
