@@ -51,7 +51,7 @@ CantileverResult hang(double load, double segments, Direction direction = Direct
 
 }  // namespace
 
-TEST_SUITE("analytic") {
+TEST_SUITE("analytic+slow") {
   TEST_CASE("a linear elastic strip hangs as the heavy elastica does, within 0.3 % at 40 segments") {
     for (double load : {1.0, 4.0, 8.0, 20.0, 40.0, 64.0}) {
       for (Direction direction : {Direction::kWarp, Direction::kWeft}) {
@@ -70,14 +70,16 @@ TEST_SUITE("analytic") {
       }
     }
   }
+}
 
+TEST_SUITE("analytic") {
   TEST_CASE("a length between two lines of the lattice does no harm") {
     const CantileverResult r = hang(8.0, 40.4);
     CHECK(r.bending_length == doctest::Approx(exact_bending_length()).epsilon(3e-3));
   }
 }
 
-TEST_SUITE("convergence") {
+TEST_SUITE("convergence+slow") {
   TEST_CASE("the error of the droop falls with the square of the spacing") {
     for (double load : {1.0, 8.0}) {
       std::vector<double> errors;

@@ -42,7 +42,9 @@ TEST_SUITE("analytic") {
             doctest::Approx(loop.level_force * loop.height).epsilon(1e-8));
     }
   }
+}
 
+TEST_SUITE("analytic+slow") {
   TEST_CASE("the load comes back from the height") {
     for (LoopKind kind : {LoopKind::kPear, LoopKind::kRing, LoopKind::kHeart}) {
       for (double load : {5.0, 300.0}) {

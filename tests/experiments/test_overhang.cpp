@@ -27,7 +27,7 @@ FabricLaws linear_fabric() {
 
 }  // namespace
 
-TEST_SUITE("analytic") {
+TEST_SUITE("analytic+slow") {
   TEST_CASE("the overhang at 41.5 and 43 degrees is that of the elastica, within 0.3 %") {
     const double c =
         std::cbrt(kB_gf_cm2_per_cm * unit::kGfCm2PerCm / (kMass_g_per_m2 * unit::kGPerM2 * kStandardGravity));

@@ -109,7 +109,7 @@ TEST_SUITE("crosscheck") {
   }
 }
 
-TEST_SUITE("unit") {
+TEST_SUITE("unit+slow") {
   TEST_CASE("the page of the engine's drapes: pictures, table with units, runs") {
     EngineFigureOptions options;
     options.drapes = {"graded-1"};
@@ -138,7 +138,9 @@ TEST_SUITE("unit") {
     }
     CHECK(modes == std::set<std::string>{"engine, 10 mm", "engine, 5 mm"});
   }
+}
 
+TEST_SUITE("unit+slow") {
   TEST_CASE("the page of the engine's strips: forces in gf as in the paper's figures") {
     EngineFigureOptions options;
     options.strips = {"polyester-faille"};

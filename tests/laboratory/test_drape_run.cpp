@@ -80,7 +80,7 @@ TEST_SUITE("analytic") {
   }
 }
 
-TEST_SUITE("determinism") {
+TEST_SUITE("determinism+slow") {
   TEST_CASE("the same bits on one thread and on two, and for a seed whatever the others are") {
     DrapeTestOptions options = quick(0.02, 3);
     options.band_seeds = 1;
@@ -130,7 +130,9 @@ TEST_SUITE("unit") {
     options.method.solver = DrapeSolver::kExplicit;
     refused();
   }
+}
 
+TEST_SUITE("unit+slow") {
   TEST_CASE("every loading path comes to rest; shaking takes off what friction held") {
     DrapeTestOptions options = quick(0.015, 2);
     const DrapeTest ramp = drape("wool-tropical", options);
@@ -148,7 +150,9 @@ TEST_SUITE("unit") {
       CHECK(std::abs(other.coefficient.mean - ramp.coefficient.mean) < 0.12);
     }
   }
+}
 
+TEST_SUITE("unit+slow") {
   TEST_CASE("at rest nothing moves any more: two seconds longer change DC by at most 0.05 points") {
     DrapeTestOptions options = quick(0.01);
     const DrapeTest at_once = drape("polyester-faille", options);

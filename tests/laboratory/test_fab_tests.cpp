@@ -28,7 +28,7 @@ FabricLaws unjammed() {
 
 }  // namespace
 
-TEST_SUITE("crosscheck") {
+TEST_SUITE("crosscheck+slow") {
   TEST_CASE("a strip of the engine buckles as the one-dimensional strip does: down, up and hanging, tilted") {
     const FabricLaws laws = unjammed();
     for (FabTest test : {FabTest::kD1, FabTest::kU1, FabTest::kD2}) {
@@ -65,7 +65,9 @@ TEST_SUITE("crosscheck") {
       }
     }
   }
+}
 
+TEST_SUITE("crosscheck+slow") {
   TEST_CASE("the fit of measured strips finds B and 2HB of the engine's strip") {
     const FabricLaws laws = unjammed();
     const BucklingFit fit = fit_buckling(record_fab_buckling(laws, Direction::kWarp), Direction::kWarp);
@@ -74,7 +76,9 @@ TEST_SUITE("crosscheck") {
     CHECK(fit.hysteresis_2HB == doctest::Approx(kTwiceHB).epsilon(5e-3));
     CHECK(std::abs(fit.clamp_tilt) < 1e-3);
   }
+}
 
+TEST_SUITE("crosscheck") {
   TEST_CASE("stretched through the measured cycles the engine stays within 1 % of the peak of all samples") {
     for (const char* id : {"cupro-woven-su1098", "cotton-knit-shirley"}) {
       for (Direction direction : {Direction::kWarp, Direction::kWeft}) {

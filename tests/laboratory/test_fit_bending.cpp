@@ -85,7 +85,9 @@ TEST_SUITE("analytic") {
     CHECK(r.error == doctest::Approx(std::sqrt(1.0 / 3.0)).epsilon(1e-12));
     CHECK((one(4.0).error == 0.0 && one(4.0).count == 1));
   }
+}
 
+TEST_SUITE("analytic+slow") {
   TEST_CASE("moments of the bands: the spread of a product is that of its factors") {
     // M = B K + HB at 1 /cm with B and 2HB measured: ln-normal factors of 10 % on 0.067 and 0.0165. The
     // deviation over 4000 draws is known to 1 / sqrt(8000) = 1.1 %; 5 % is four times that.
@@ -103,7 +105,7 @@ TEST_SUITE("analytic") {
   }
 }
 
-TEST_SUITE("crosscheck") {
+TEST_SUITE("crosscheck+slow") {
   TEST_CASE("the virgin strip hangs as the strip of the engine does") {
     // Wool with friction; the engine at 20 segments (error of the reach 0.1 %, docs/laboratory.md) and 20
     // steps of gravity (0.1 %): its chord agrees within 0.4 %. Without friction the chord would be 17 %
@@ -134,7 +136,7 @@ TEST_SUITE("crosscheck") {
   }
 }
 
-TEST_SUITE("property") {
+TEST_SUITE("property+slow") {
   TEST_CASE("a rigidity comes back from the overhang of its own strip, limp or stiff, at both angles") {
     for (const double B_kes : {0.005, 0.07, 1.0}) {
       for (const double ratio : {0.5, 0.7, 1.0}) {
@@ -152,7 +154,9 @@ TEST_SUITE("property") {
       }
     }
   }
+}
 
+TEST_SUITE("property+slow") {
   TEST_CASE("readings that scatter widen the interval, by nearly the cube of the overhang") {
     const Fabric wool = bare(load_fabric("wool-tropical"));
     const Readings scattered = readings_of(std::vector<double>{0.036, 0.037, 0.038});
@@ -166,7 +170,9 @@ TEST_SUITE("property") {
     CHECK((fit.noise > 2.0 * relative && fit.noise < 3.0 * relative));
     CHECK((fit.low() < exact.low() && fit.high() > exact.high()));
   }
+}
 
+TEST_SUITE("property") {
   TEST_CASE("draws repeat with their seed, keep what is not drawn, and stay between the ends") {
     const Fabric known = load_fabric("wool-tropical"), assumed_friction = [] {
       Fabric fabric = load_fabric("wool-tropical");
@@ -212,7 +218,9 @@ TEST_SUITE("unit") {
     coarse.runs = 1;
     CHECK_THROWS_AS(fit_bending_to_drape(wool, one(0.999), coarse), Error);
   }
+}
 
+TEST_SUITE("unit+slow") {
   TEST_CASE("the drape of a known rigidity gives it back, on a coarse lattice and two specimens") {
     const Fabric wool = load_fabric("wool-tropical");
     DrapeFitOptions options;

@@ -39,7 +39,7 @@ HangingLoopResult hang(LoopKind kind, double load, int segments) {
 
 }  // namespace
 
-TEST_SUITE("analytic") {
+TEST_SUITE("analytic+slow") {
   TEST_CASE("hearts, pears and rings hang as the heavy elastica does, within 0.3 %") {
     for (LoopKind kind : {LoopKind::kHeart, LoopKind::kPear, LoopKind::kRing}) {
       for (double load : {10.0, 200.0}) {
@@ -52,7 +52,9 @@ TEST_SUITE("analytic") {
       }
     }
   }
+}
 
+TEST_SUITE("analytic+slow") {
   TEST_CASE("the bending length of a heart comes back") {
     const HangingLoopResult r = hang(LoopKind::kHeart, 100.0, kLoopSegments);
     // 0.1 % of height is 0.2 % of the bending length of a heart under this load.
@@ -60,7 +62,7 @@ TEST_SUITE("analytic") {
   }
 }
 
-TEST_SUITE("convergence") {
+TEST_SUITE("convergence+slow") {
   TEST_CASE("the height of a heart converges with order 2") {
     std::vector<double> errors;
     for (int segments : {20, 40})
@@ -70,7 +72,7 @@ TEST_SUITE("convergence") {
   }
 }
 
-TEST_SUITE("property") {
+TEST_SUITE("property+slow") {
   TEST_CASE("friction holds a heart up") {
     HangingLoopOptions options;
     options.segments = 40;

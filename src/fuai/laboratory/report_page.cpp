@@ -109,7 +109,7 @@ void add_kes(HtmlPage& page, const ReportedFabric& fabric) {
     grid.plots.back().title = std::string(to_string(reported.test.test)) + ", " + direction_of(reported.test);
   }
   if (grid.plots.empty()) return;
-  add_plots(page, std::move(grid),
+  add_plots(page, grid,
             "The loop that the simulated instrument records over the loop of the fabric. Loop rms: distance "
             "of the two, in percent of the peak.",
             "simulated loops over those of the fabric");
