@@ -17,8 +17,6 @@ if(FUAI_ASSERTIONS)
   target_compile_definitions(fuai_options INTERFACE FUAI_ASSERTIONS=1)
 endif()
 if(FUAI_SANITIZE)
-  # Each instruction set of the kernels takes half a minute to instrument.
-  target_compile_definitions(fuai_options INTERFACE FUAI_FEWER_TARGETS=1)
   # Global on purpose: every object of a sanitizer build has to be instrumented.
   add_compile_options(-fsanitize=${FUAI_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${FUAI_SANITIZE})

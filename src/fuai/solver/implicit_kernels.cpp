@@ -4,12 +4,7 @@
 
 // The widest sets only: SSSE3, SSE4 and the AVX-512 variants beyond the first bring nothing here and cost
 // compile time. The baseline stays.
-#ifdef FUAI_FEWER_TARGETS
-// One wide set and the baseline.
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL)
-#else
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
-#endif
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuai/solver/implicit_kernels.cpp"
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
