@@ -1,5 +1,6 @@
 // bench_engine [--markdown FILE] [--quick] [--only speed|kernels|accuracy]: speed, kernels, limits and
-// accuracy of the cloth engine. SPDX-License-Identifier: Apache-2.0
+// accuracy of the cloth engine.
+// SPDX-License-Identifier: Apache-2.0
 #include "bench_engine.h"
 
 #include <cstdio>

@@ -1,5 +1,6 @@
 // Time of one step of the paper's relaxation on its 18 x 18 drape; the label is the state hash after 1000
-// steps. SPDX-License-Identifier: Apache-2.0
+// steps.
+// SPDX-License-Identifier: Apache-2.0
 #include <benchmark/benchmark.h>
 
 #include "fuai/core/hash.h"

@@ -1,5 +1,6 @@
 // The whole round trip: every bundled fabric and 200 random plausible ones through the virtual KES
-// instruments, at their own spacings. SPDX-License-Identifier: Apache-2.0
+// instruments, at their own spacings.
+// SPDX-License-Identifier: Apache-2.0
 //
 //   bench_round_trip [COUNT [FIRST]]   random fabrics, seeds from FIRST on; families take turns
 //

@@ -1,5 +1,6 @@
 // Fuzzes the reader of KES sheets; each fabric that it accepts must be written as a fabric file and read
-// again. SPDX-License-Identifier: Apache-2.0
+// again.
+// SPDX-License-Identifier: Apache-2.0
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

@@ -47,7 +47,7 @@ if [ $# -gt 0 ]; then
 else
   mapfile -t files < <(find "$top/src" "$top/apps" -name '*.cpp' | sort)
   count=${#files[@]}
-  python3 "$top/tools/tidy_groups.py" "$work" "${files[@]}"
+  python3 "$top/tools/tidy_groups.py" "$work" "${files[@]}" || status=1
   printf '%s\0' "$work"/unit??? | xargs -0 -P 2 -I{} bash -c 'complaints_of_unit "$0" "$1"' "$work" {} \
     > "$work/log" 2>&1 || status=1
 fi

@@ -1,7 +1,8 @@
 """Writes units that read many source files at once, for tidy.sh: no two files of a unit name something alike.
 
 Usage: tidy_groups.py FOLDER FILE...   with FOLDER/compile_commands.json; makes FOLDER/unit*/unit.cpp and a database
-beside each, one command with the include paths and definitions of all files.
+beside each, one command with the include paths and definitions of all files. Prints using declarations that nothing
+uses and fails when there are any.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -45,6 +46,16 @@ def grouped(files):
     return [files for files, _ in groups]
 
 
+def unused_usings(path):
+    """clang-tidy sees them in the main file of a unit only."""
+    text = path.read_text(encoding="utf-8")
+    for match in re.finditer(r"^ *using (?:[\w:]+::)(\w+);", text, re.M):
+        if len(re.findall(rf"\b{match[1]}\b", text)) == 1:
+            line = text.count("\n", 0, match.start()) + 1
+            print(f"{path}:{line}: error: using declaration '{match[1]}' is unused")
+            yield line
+
+
 def common_command(entries):
     """The words of one command, and of the others what they include and define."""
     words = shlex.split(entries[0]["command"])
@@ -80,7 +91,7 @@ def main():
         entry = {"directory": entries[str(built[0])]["directory"], "file": str(unit),
                  "command": shlex.join(words + ["-c", str(unit)])}
         (place / "compile_commands.json").write_text(json.dumps([entry]))
-    return 0
+    return 1 if any([list(unused_usings(f)) for f in files]) else 0
 
 
 if __name__ == "__main__":

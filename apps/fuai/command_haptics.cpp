@@ -297,7 +297,8 @@ int run_run(const Console& console, const RunOptions& options) {
   console.result(json.set("fabric", fabric.id));
   if (result.failed_steps == 0) return 0;
   throw Error(ErrorKind::kCheckFailed,
-              "a number went wrong in " + std::to_string(result.failed_steps) + " steps of the cloth");
+              "a number went wrong in " + std::to_string(result.failed_steps) + " steps of the cloth", {},
+              "take another --spacing or --fabric, and report the command line");
 }
 
 void declare_run(const Command& parent) {

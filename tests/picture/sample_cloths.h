@@ -1,5 +1,6 @@
 // Cloths in closed form for the picture tests: flat, bent to a cylinder, a saddle, over a table corner, on a
-// disc. SPDX-License-Identifier: Apache-2.0
+// disc.
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <algorithm>

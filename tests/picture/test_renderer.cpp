@@ -1,5 +1,6 @@
 // The off-screen renderer: silhouettes, sides, weave lines, values, shadows, arrows and refusals, by counted
-// pixels. SPDX-License-Identifier: Apache-2.0
+// pixels.
+// SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
 #include <cmath>

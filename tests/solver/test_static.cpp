@@ -1,5 +1,6 @@
 // The static solver: its Hessian against differences of the reference forces, clamps that are told, pulled
-// and turned against closed forms. SPDX-License-Identifier: Apache-2.0
+// and turned against closed forms.
+// SPDX-License-Identifier: Apache-2.0
 #include "fuai/solver/static.h"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,7 @@
 // A piece of cloth as yarns on a square lattice, cut by its outline: the constant model and the changing
-// state. SPDX-License-Identifier: Apache-2.0 Source: docs/theory/cloth-pieces.md, docs/theory/engine.md.
+// state.
+// SPDX-License-Identifier: Apache-2.0
+// Source: docs/theory/cloth-pieces.md, docs/theory/engine.md.
 //
 //   slot (column, row) has index row * columns + column and rests at origin + spacing * (column, row)
 //   weft yarns run along x (a row of slots), warp yarns along y (a column); the face of the flat cloth looks

@@ -1,5 +1,7 @@
 // Outlines of cloth pieces: simple polygons in pattern coordinates, made, measured, turned, checked and
-// split. SPDX-License-Identifier: Apache-2.0 Source: docs/theory/cloth-pieces.md.
+// split.
+// SPDX-License-Identifier: Apache-2.0
+// Source: docs/theory/cloth-pieces.md.
 #pragma once
 
 #include <span>

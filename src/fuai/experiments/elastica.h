@@ -1,5 +1,6 @@
 // The heavy elastica: the exact shape of a strip that is clamped level at one end and hangs under its own
-// weight. SPDX-License-Identifier: Apache-2.0
+// weight.
+// SPDX-License-Identifier: Apache-2.0
 // Source: F. T. Peirce, "The handle of cloth as a measurable quantity", J. Text. Inst. 21 (1930) T377 (the
 // test and his closed formula); Bickley, Phil. Mag. 17 (1934) 603 (the exact curve).
 //

@@ -1,6 +1,8 @@
 // The heavy elastica in a loop: the exact shape of a strip whose ends are brought together in a clamp and
-// that hangs from it. SPDX-License-Identifier: Apache-2.0 Source: F. T. Peirce, J. Text. Inst. 21 (1930) T377
-// (the loop tests); R. H. Plaut, Text. Res. J. 85 (2015) 452 (that his formulas hold for small weight only).
+// that hangs from it.
+// SPDX-License-Identifier: Apache-2.0
+// Source: F. T. Peirce, J. Text. Inst. 21 (1930) T377 (the loop tests); R. H. Plaut, Text. Res. J. 85 (2015)
+// 452 (that his formulas hold for small weight only).
 //
 //   From the lowest point upward, s in parts of the length L, theta the angle of the tangent above level:
 //   theta'' = h sin(theta) - lambda s cos(theta),   theta(0) = 0,   x(1/2) = 0,   theta(1/2) =

@@ -1,7 +1,8 @@
 // The cantilever test as the standards do it: the strip is pushed over the edge until its tip meets a
-// slanting line. SPDX-License-Identifier: Apache-2.0 Source: ASTM D1388 option A and ISO 9073-7: a line
-// at 41.5 degrees below level (43 degrees is found as well); bending length = half the overhang, flexural
-// rigidity = weight times its cube.
+// slanting line.
+// SPDX-License-Identifier: Apache-2.0
+// Source: ASTM D1388 option A and ISO 9073-7: a line at 41.5 degrees below level (43 degrees is found as
+// well); bending length = half the overhang, flexural rigidity = weight times its cube.
 //
 //   41.5 degrees is where half the overhang is the bending length of the exact elastica, to 0.02 %; at 43
 //   degrees it is 2 % too long, so the exact evaluation (elastica.h) stands beside it.

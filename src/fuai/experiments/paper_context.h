@@ -1,5 +1,6 @@
 // What the parts of the paper's page share: tasks that run side by side, renderer, page under construction,
-// files. SPDX-License-Identifier: Apache-2.0
+// files.
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <chrono>

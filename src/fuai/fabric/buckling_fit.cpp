@@ -1,5 +1,6 @@
 // Levenberg-Marquardt on log B, log HB and the clamps' tilt; offsets and drifts are eliminated in each
-// evaluation. SPDX-License-Identifier: Apache-2.0
+// evaluation.
+// SPDX-License-Identifier: Apache-2.0
 #include "fuai/fabric/buckling_fit.h"
 
 #include <Eigen/Dense>

@@ -1,5 +1,7 @@
 // Bending rigidity and bending friction out of the buckling tests of the Fabric Analyzer, by inverse
-// simulation. SPDX-License-Identifier: Apache-2.0 Source: docs/theory/buckling.md.
+// simulation.
+// SPDX-License-Identifier: Apache-2.0
+// Source: docs/theory/buckling.md.
 //
 // Model of a sample i of test t:
 //   F_i = width f(d_i; B, HB, tilt) + offset_t + drift_t tau_i,   tau 0..1 over the test (samples in order)

@@ -1,5 +1,6 @@
 // The law of one measured curve: which branches are used, how the free play radii are chosen, how well it
-// repeats. SPDX-License-Identifier: Apache-2.0
+// repeats.
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <string>

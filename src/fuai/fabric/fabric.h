@@ -1,5 +1,6 @@
 // A measured fabric: the numbers and curves of one cloth with the provenance of each. No law, no lattice, no
-// file. SPDX-License-Identifier: Apache-2.0
+// file.
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <array>

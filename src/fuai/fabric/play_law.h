@@ -1,5 +1,6 @@
 // The modulated play law: a measured elastic curve plus friction with memory, for bending, shear and tension
-// alike. SPDX-License-Identifier: Apache-2.0
+// alike.
+// SPDX-License-Identifier: Apache-2.0
 //
 //   x  strain measure (curvature [1/m], shear angle [rad], strain [-])
 //   F  work-conjugate stress (moment per width [N], shear force per width [N/m], tension per width [N/m])

@@ -1,5 +1,7 @@
 // Laws from KES scalars alone: the simplest play law that gives the scalars back when they are read off its
-// loop. SPDX-License-Identifier: Apache-2.0 Source: docs/theory/play-law.md, "From the scalars alone".
+// loop.
+// SPDX-License-Identifier: Apache-2.0
+// Source: docs/theory/play-law.md, "From the scalars alone".
 #pragma once
 
 #include <array>

@@ -8,7 +8,7 @@
 namespace fuai {
 namespace {
 
-/// As far as double goes: ten linearisations, each to a millionth, end at rounding.
+/// As far as double goes: a step ends where rounding leaves it.
 ImplicitOptions converged(const ImplicitOptions& options) {
   ImplicitOptions o = options;
   o.iterations = 300;

@@ -8,9 +8,10 @@
 //   3  device.write(tick.force)
 //
 //   follow()   checks the sample, filters the velocity, books the work, tells the tool's place
-//   render()   newest model -> device's coordinates -> coupling -> blend -> force -> books and brake ->
-//   limits Nobody waits for anybody: models() is a mailbox. follow() and render() belong to one thread, put()
-//   to one other.
+//   render()   newest model -> device's coordinates -> coupling -> blend -> force -> books, brake -> limits
+//
+// Nobody waits for anybody: models() is a mailbox. follow() and render() belong to one thread, put() to one
+// other.
 #pragma once
 
 #include "fuai/core/mailbox_rt.h"

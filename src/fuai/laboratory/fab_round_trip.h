@@ -1,6 +1,7 @@
 // A fabric in the virtual Fabric Analyzer: buckling to B and 2HB by the inverse fit, stretch to LT, WT, RT
-// and EMT of the last cycle, each beside the fabric's own. SPDX-License-Identifier: Apache-2.0 Source:
-// docs/theory/virtual-kes.md, "The Fabric Analyzer's tests".
+// and EMT of the last cycle, each beside the fabric's own.
+// SPDX-License-Identifier: Apache-2.0
+// Source: docs/theory/virtual-kes.md, "The Fabric Analyzer's tests".
 #pragma once
 
 #include <optional>

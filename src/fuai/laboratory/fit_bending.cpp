@@ -35,9 +35,12 @@ double thickness_of(const Fabric& fabric) {
                                       : fabric.areal_mass.value / assumed::kBulkDensity;
 }
 
-/// ln B where a falling function is zero, between two ends that enclose it.
+/// ln B where a falling function is zero. @throws Error (kCheckFailed) when the ends do not enclose it.
 double bisect(double low, double high, const std::function<double(double)>& excess) {
   constexpr int kHalvings = 30;
+  if (!(excess(low) > 0.0) || excess(high) > 0.0)
+    throw Error(ErrorKind::kCheckFailed, "no rigidity hangs with this overhang", {},
+                "check mass and overhang, and the fibre, which sets the friction");
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (low + high);
     (excess(middle) > 0.0 ? low : high) = middle;
@@ -189,6 +192,9 @@ Trial search_near(DrapeSearch& drape, double measured, double ratio, double gues
   Trial other = first;
   for (int i = 0; i < kMostTrials && (other.excess > 0.0) == (first.excess > 0.0); ++i)
     other = trial(other.ln_B - (other.excess + std::copysign(kMargin, first.excess)) / slope);
+  if ((other.excess > 0.0) == (first.excess > 0.0))
+    throw Error(ErrorKind::kCheckFailed, "the search for the rigidity of this drape went astray", {},
+                "take more specimens");
   return first.excess < 0.0 ? search(drape, measured, ratio, first, other)
                             : search(drape, measured, ratio, other, first);
 }

@@ -1,5 +1,6 @@
 // The loop tests: a strip whose ends are brought together in a clamp hangs from it, and its height tells its
-// bending length. SPDX-License-Identifier: Apache-2.0
+// bending length.
+// SPDX-License-Identifier: Apache-2.0
 // Source: F. T. Peirce, J. Text. Inst. 21 (1930) T377; ISO and ASTM have the heart loop for limp and curling
 // fabrics; evaluation: elastica_loop.h.
 //

@@ -1,6 +1,7 @@
 // A fabric in the virtual instrument, and what the instrument gave back: the loop and its KES parameters,
-// beside the fabric's own. SPDX-License-Identifier: Apache-2.0 Source: docs/theory/virtual-kes.md, "Round
-// trip".
+// beside the fabric's own.
+// SPDX-License-Identifier: Apache-2.0
+// Source: docs/theory/virtual-kes.md, "Round trip".
 //
 //   fabric -> laws -> engine -> instrument -> curve -> parameters, by the code that reads measured curves
 //      \________ the fabric's loop ____________/            \__ the fabric's parameters

@@ -1,5 +1,6 @@
 // The text over a picture of cloth: caption, colour bar, labels of arrows, directions of the yarns, grid
-// size. SPDX-License-Identifier: Apache-2.0
+// size.
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include "fuai/picture/cloth_picture.h"

@@ -1,5 +1,6 @@
 // A team whose members wait for work by watching a number, so that handing over costs well under a
-// microsecond. SPDX-License-Identifier: Apache-2.0
+// microsecond.
+// SPDX-License-Identifier: Apache-2.0
 //
 //   caller   writes the task, raises `round`, does its own part, waits until `left` is zero
 //   member   sees the round rise, does its part, lowers `left`; after a while without work it goes to sleep,

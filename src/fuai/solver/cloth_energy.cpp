@@ -1,5 +1,6 @@
 // One loop an element kind; a reader decides what a law is asked for: incremental potential, free energy,
-// commit. SPDX-License-Identifier: Apache-2.0
+// commit.
+// SPDX-License-Identifier: Apache-2.0
 #include "fuai/solver/cloth_energy.h"
 
 #include <algorithm>

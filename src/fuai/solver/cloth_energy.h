@@ -1,7 +1,7 @@
 // Energy and forces of the lattice in double, element by element: the reference that the vector kernels of
-// the implicit solver are held against, and the force of the explicit solver. SPDX-License-Identifier:
-// Apache-2.0 Source: docs/theory/engine.md. Gradients: cloth_measures.h; laws and memory:
-// fuai/fabric/play_law.h.
+// the implicit solver are held against, and the force of the explicit solver.
+// SPDX-License-Identifier: Apache-2.0
+// Source: docs/theory/engine.md. Gradients: cloth_measures.h; laws and memory: fuai/fabric/play_law.h.
 //
 //   state        last committed step: positions x_n, velocities, friction memory
 //   positions    trial positions x; may be the state's own

@@ -1,6 +1,7 @@
 // The strain measures of the lattice and their gradients, in double, one element at a time: the plain reading
-// of the theory page that every faster kernel is held against. SPDX-License-Identifier: Apache-2.0 Source:
-// docs/theory/engine.md, "Strain measures".
+// of the theory page that every faster kernel is held against.
+// SPDX-License-Identifier: Apache-2.0
+// Source: docs/theory/engine.md, "Strain measures".
 //
 // A collapsed element (an edge, tangent or normal without length) has no measure: `valid` is false, and it
 // adds neither force nor energy, and keeps its memory.

@@ -1,5 +1,7 @@
 // The explicit solver: many small semi-implicit Euler steps of the reference forces; the oracle of the
-// implicit one. SPDX-License-Identifier: Apache-2.0 Source: docs/theory/engine.md.
+// implicit one.
+// SPDX-License-Identifier: Apache-2.0
+// Source: docs/theory/engine.md.
 //
 //   each substep ds = dt / substeps:
 //     1. forces at x, v; the friction memory moves to x      (cloth_energy.h, and viscosity from v)

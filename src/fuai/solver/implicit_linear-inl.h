@@ -1,5 +1,6 @@
 // The linearised step in lanes: the product with a vector, and the blocks that the line solves need; included
-// once per instruction set. SPDX-License-Identifier: Apache-2.0
+// once per instruction set.
+// SPDX-License-Identifier: Apache-2.0
 // Source: docs/theory/implicit-step.md.
 #if defined(FUAI_IMPLICIT_LINEAR_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FUAI_IMPLICIT_LINEAR_INL_H

@@ -1,5 +1,6 @@
 // The inner loop of the relaxation: forces of springs, threads and weight on flat arrays, and one descent
-// move. SPDX-License-Identifier: Apache-2.0
+// move.
+// SPDX-License-Identifier: Apache-2.0
 //
 //   Every stencil of a lattice joins nodes that are a fixed stride apart: 1 (weft), columns (warp), columns +
 //   1 and columns - 1 (diagonals). So each family is one long loop over the node index; where a stencil would

@@ -1,6 +1,7 @@
 // The quantities of the Kawabata Evaluation System: symbol, unit, exact factor to SI, definition, plausible
-// range. SPDX-License-Identifier: Apache-2.0 Source: shared definitions of the KES-FB instruments; see
-// docs/theory/kes.md.
+// range.
+// SPDX-License-Identifier: Apache-2.0
+// Source: shared definitions of the KES-FB instruments; see docs/theory/kes.md.
 #pragma once
 
 #include <optional>
