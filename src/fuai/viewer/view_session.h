@@ -1,0 +1,141 @@
+// The cloths of the viewer in time: what the hands of the user do to them, tick by tick, and what is to be
+// seen. SPDX-License-Identifier: Apache-2.0 Source: docs/viewer.md, "How it works".
+//
+//   screen's thread                                   cloth's thread (runtime/paced_thread.h)
+//     send(command)       ---- queue --------->         tick(): takes commands, steps all cloths by dt
+//     fetch(), snapshot() <--- mailbox --------         puts a snapshot every kSnapshotPeriod
+//     take_events()       <--- queue ----------         what was done at which tick, for the recording
+//
+//   Nobody waits for anybody. All cloths get the same commands at the same tick. A tick depends on the cloths
+//   and the commands taken at it only: the events, fed to a fresh session at their ticks, give the same bits.
+//   Once a second of simulated time the whole state is kept, kKeptSeconds of them: seek() goes back to the
+//   last one before a tick and steps again from there, with the commands that were done.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fuai/scenes/engine_scene.h"
+#include "fuai/sim/cloth_fields.h"
+#include "fuai/viewer/view_setup.h"
+
+namespace fuai {
+
+/// Hands of the user on each cloth, pins among them; the scene's own hands come besides.
+inline constexpr std::size_t kMostViewHands = 16;
+inline constexpr double kViewStep = 0.001;  ///< dt of a tick [s]
+inline constexpr double kSnapshotPeriod =
+    1.0 / 120.0;  ///< of simulated or of wall time, whichever is longer [s]
+inline constexpr int kKeptSeconds = 20;
+
+/// Something the user does to the cloths.
+struct ViewCommand {
+  enum class Kind : std::uint8_t {
+    kGrab,     ///< hand, material, radius, position (where the hand is: the cloth is not moved by gripping)
+    kMove,     ///< hand, position: where it is from the next tick on
+    kRelease,  ///< hand
+    kReset,    ///< to the start of the scene, all let go
+    kMotion,   ///< flag: whether the scene's own hands and pins move
+  };
+  Kind kind = Kind::kMove;
+  std::uint8_t hand = 0;
+  bool flag = false;
+  Vec2 material = Vec2::Zero();  ///< weft and warp coordinate [m]
+  Vec3 position = Vec3::Zero();  ///< of the hand in the coordinates of the scene [m]
+  double radius = 0.009;         ///< of the patch [m]
+};
+
+/// A command that was done, at the beginning of a tick; or what the hash was then.
+struct ViewEvent {
+  std::int64_t tick = 0;
+  bool is_hash = false;
+  ViewCommand command;
+  std::uint64_t hash = 0;  ///< of all cloths
+};
+
+/// A cloth at a moment.
+struct ClothView {
+  std::vector<Vec3> positions;  ///< [m] (slots)
+  std::vector<double> field;    ///< of the field asked for (slots); empty: none
+  std::array<GraspReading, kMostViewHands> hands;
+  std::array<Vec3, kMostViewHands> targets;  ///< where the hands are [m]
+  std::array<GraspReading, kMostHands> scene_hands;
+  Vec3 clamp_force = Vec3::Zero();  ///< on all fixed slots [N]
+  ClothProbe probe;                 ///< at the hand that gripped last and still holds
+  bool probed = false;
+  ClothEnergy energy;  ///< [J]
+  double kinetic_energy = 0.0, max_strain = 0.0;
+  std::uint64_t failed_steps = 0;  ///< steps in which a number went wrong since the start
+};
+
+/// What the screen shows.
+struct ViewSnapshot {
+  std::int64_t tick = 0;
+  std::uint64_t build = 0;  ///< number of the setup that it belongs to
+  std::vector<ClothView> cloths;
+  double time = 0.0;            ///< simulated [s]
+  double step_us = 0.0;         ///< mean time that a tick of all cloths took since the last snapshot [us]
+  std::int64_t first_tick = 0;  ///< seek() goes back so far
+};
+
+/// Cloths that were built for a setup, ready to be handed to the session. Constant but for the simulations.
+class ViewCloths {
+ public:
+  /// @throws Error for a setup that cannot be built. Thread class: set-up.
+  explicit ViewCloths(const ViewSetup& setup);
+
+  std::size_t size() const noexcept { return scenes_.size(); }
+  const EngineScene& scene(std::size_t cloth) const noexcept { return *scenes_[cloth]; }
+  SceneRun& run(std::size_t cloth) noexcept { return *runs_[cloth]; }
+
+ private:
+  std::vector<std::unique_ptr<const EngineScene>> scenes_;
+  std::vector<std::unique_ptr<SceneRun>> runs_;
+};
+
+/// The session.
+class ViewSession {
+ public:
+  /// @param cloths to begin with. Thread class: set-up.
+  explicit ViewSession(std::shared_ptr<ViewCloths> cloths);
+  ~ViewSession();
+
+  // ---- the screen's thread ----
+  /// @return false when the queue is full (the cloth's thread does not run); the command is then forgotten.
+  bool send(const ViewCommand& command) noexcept;
+  /// Other cloths from the next tick on. @param keep_shape takes positions, velocities and holds over when
+  /// the lattice is the same; the memory of friction too. @return the build number its snapshots will have.
+  std::uint64_t replace(std::shared_ptr<ViewCloths> cloths, bool keep_shape);
+  /// Which field the snapshots are to carry; none: -1.
+  void show_field(int field) noexcept;
+  void play(bool plays) noexcept;
+  /// How many ticks to do while it is paused.
+  void single_steps(int ticks) noexcept;
+  /// Goes back (or forward to what was done before) to a tick, and pauses there; the commands after it are
+  /// forgotten once the user does something or plays on. Clamped to [first_tick, newest tick].
+  void seek(std::int64_t tick) noexcept;
+  /// Takes the newest snapshot. @return whether there is a new one.
+  bool fetch() noexcept;
+  const ViewSnapshot& snapshot() const noexcept;
+  /// What was done since the last call, in order; a seek backwards takes events back: `rewound_to` is then
+  /// the tick whose events and all after it are void, else -1. A hash comes every 100 ticks.
+  std::vector<ViewEvent> take_events(std::int64_t& rewound_to);
+
+  // ---- the cloth's thread ----
+  /// One round: commands, and a tick if it plays or steps are asked for. @param wall_us clock of the caller
+  /// [us]
+  /// @return whether a tick was done. Thread class: as the solver's step, but when cloths are replaced.
+  bool tick(double wall_us);
+  std::int64_t ticks() const noexcept;
+  std::uint64_t state_hash() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace fuai
