@@ -116,6 +116,17 @@ CurveTable make_curve_table(double low, double high, std::span<const double> val
   return table;
 }
 
+CurveTable scaled(const CurveTable& table, double factor) {
+  if (table.node_count() == 0) return table;
+  std::vector<double> values(table.nodes().begin(), table.nodes().end());
+  for (double& value : values) value *= factor;
+  Extrapolation rule = table.extrapolation();
+  rule.slope_low *= factor;
+  rule.slope_high *= factor;
+  rule.slopes_given = true;
+  return make_curve_table(table.low(), table.high(), values, rule);
+}
+
 CurveValue CurveTable::evaluate(double x) const noexcept {
   if (x >= low_ && x <= high_) {
     const double u = (x - low_) * inverse_spacing_;

@@ -110,4 +110,8 @@ class CurveTable {
 CurveTable make_curve_table(double low, double high, std::span<const double> values,
                             const Extrapolation& extrapolation = {});
 
+/// The table with every value times a factor, beyond its ends too; where jamming begins stays. With a factor
+/// of 1 every bit is the same. @param factor finite. Thread class: set-up.
+CurveTable scaled(const CurveTable& table, double factor);
+
 }  // namespace fuai

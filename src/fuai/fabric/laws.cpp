@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "fuai/core/error.h"
+#include "fuai/core/hash.h"
 #include "fuai/fabric/assumptions.h"
 #include "fuai/fabric/bending_rules.h"
 #include "fuai/fabric/curve_law.h"
@@ -234,6 +235,26 @@ std::vector<std::string> assumptions_of(const FabricLaws& laws) {
     for (const std::string& sentence : report.assumptions) sentences.push_back(report.law + ": " + sentence);
   }
   return sentences;
+}
+
+std::uint64_t laws_hash(const FabricLaws& laws) {
+  StateHash hash;
+  const auto add_table = [&](const CurveTable& table) {
+    const Extrapolation& rule = table.extrapolation();
+    hash.add(std::array{table.low(), table.high(), static_cast<double>(rule.kind), rule.limit, rule.slope_low,
+                        rule.slope_high});
+    hash.add(table.nodes());
+  };
+  const auto add_law = [&](const PlayLaw& law) {
+    add_table(law.elastic());
+    add_table(law.friction());
+    for (const PlayElement& play : law.elements()) hash.add(std::array{play.radius, play.weight});
+  };
+  hash.add(std::array{laws.areal_mass, laws.thickness});
+  for (const PlayLaw& law : laws.bending) add_law(law);
+  add_law(laws.shear);
+  for (const PlayLaw& law : laws.tensile) add_law(law);
+  return hash.value();
 }
 
 }  // namespace fuai

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -46,5 +47,9 @@ std::vector<std::string> assumptions_of(const FabricLaws& laws);
 /// The one bending rigidity of a law where plate theory needs a number [N m]: the slope of its elastic curve
 /// at 1 1/cm, the curvature at which KES reads B. Thread class: any.
 double bending_rigidity(const PlayLaw& law) noexcept;
+
+/// Hash over every number that acts: masses, tables, plays. The same fabric file gives the same hash.
+/// Thread class: set-up.
+std::uint64_t laws_hash(const FabricLaws& laws);
 
 }  // namespace fuai

@@ -45,6 +45,11 @@ PlayLaw make_play_law(CurveTable elastic, CurveTable friction, std::span<const P
   return law;
 }
 
+PlayLaw scaled(const PlayLaw& law, double elastic, double friction) {
+  if (law.elements().empty()) return law;  // without stiffness and friction
+  return make_play_law(scaled(law.elastic(), elastic), scaled(law.friction(), friction), law.elements());
+}
+
 Response PlayLaw::evaluate(double x, const PlayState& state) const noexcept {
   double S = 0.0, stick = 0.0;
   for (std::size_t j = 0; j < static_cast<std::size_t>(count_); ++j) {

@@ -96,4 +96,8 @@ class PlayLaw {
 /// @source docs/theory/play-law.md, Eq. H1
 PlayLaw make_play_law(CurveTable elastic, CurveTable friction, std::span<const PlayElement> elements);
 
+/// The law with its elastic curve and its friction times factors; plays and their radii stay. With factors of
+/// 1 every bit is the same. @param elastic, friction finite; friction >= 0. Thread class: set-up.
+PlayLaw scaled(const PlayLaw& law, double elastic, double friction);
+
 }  // namespace fuai

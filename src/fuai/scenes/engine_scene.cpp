@@ -30,8 +30,13 @@ Vec3 SceneMotion::fixed_move(const Vec3& /*start*/, double /*time*/) const noexc
 
 StepReport drive(ClothSimulation& simulation, const EngineScene& scene, SceneHolds& holds,
                  double dt) noexcept {
+  return drive_from(simulation.time(), simulation, scene, holds, dt);
+}
+
+StepReport drive_from(double time, ClothSimulation& simulation, const EngineScene& scene, SceneHolds& holds,
+                      double dt) noexcept {
   if (!scene.motion) return simulation.step(dt);
-  const double now = simulation.time(), then = now + dt;
+  const double now = time, then = now + dt;
   // Hands: let go, grip where the hand was at the start of the tick, carry.
   const std::size_t hands = std::min(scene.hands.size(), kMostHands);
   for (std::size_t i = 0; i < hands; ++i) {

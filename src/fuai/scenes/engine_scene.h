@@ -4,7 +4,8 @@
 //   make_*() in engine_scenes.h or make_engine_scene() by name -> EngineScene, constant
 //   SceneRun(scene, solver) or, for the implicit solver of T, SceneRunner<T>(scene)
 //     -> step(dt) -> hand_reading() ; snapshot(), restore()
-//   who has a Simulation of his own calls drive() with a SceneHolds
+//   who has a Simulation of his own calls drive() with a SceneHolds, or drive_from() when the motion is to
+//   pause and go on
 //
 //   A tick from t to t + dt: hands that begin to hold by t + dt grip the cloth as it is at t; hands and pins
 //   go to where they are at t + dt; the cloth follows. Nothing depends on anything but t, dt and the scene.
@@ -89,8 +90,12 @@ struct SceneHolds {
   std::array<int, kMostHands> holds{};  ///< by hand; -1: it does not hold
 };
 
-/// One tick: hands and pins to where they are at time() + dt, then a step.
-/// @param simulation of the scene's model; @param dt [s], > 0. Thread class: real-time.
+/// One tick: hands and pins to where they are at `time` + dt, then a step.
+/// @param simulation of the scene's model  @param time of the scene's motion [s]  @param dt [s], > 0. Thread
+/// class: real-time.
+StepReport drive_from(double time, ClothSimulation& simulation, const EngineScene& scene, SceneHolds& holds,
+                      double dt) noexcept;
+/// The same where the motion began with the cloth: from simulation.time(). Thread class: real-time.
 StepReport drive(ClothSimulation& simulation, const EngineScene& scene, SceneHolds& holds,
                  double dt) noexcept;
 

@@ -102,15 +102,19 @@ const Grasp* ClothSimulation::held(int hold) const noexcept {
 }
 
 int ClothSimulation::take_over(const Grasp& grasp) noexcept {
-  for (std::size_t i = 0; i < holds_.size(); ++i) {
-    Hold& hold = holds_[i];
-    if (hold.active) continue;
-    hold.grasp = grasp;
-    hold.active = true;
-    hold.stepped = false;
-    return static_cast<int>(i);
-  }
+  for (int hold = 0; hold < static_cast<int>(holds_.size()); ++hold)
+    if (take_over_as(hold, grasp)) return hold;
   return -1;
+}
+
+bool ClothSimulation::take_over_as(int hold, const Grasp& grasp) noexcept {
+  if (hold < 0 || hold >= static_cast<int>(holds_.size())) return false;
+  Hold& h = holds_[static_cast<std::size_t>(hold)];
+  if (h.active) return false;
+  h.grasp = grasp;
+  h.active = true;
+  h.stepped = false;
+  return true;
 }
 
 GraspReading ClothSimulation::grasp_reading(int hold) const noexcept {

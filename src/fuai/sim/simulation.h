@@ -82,6 +82,9 @@ class ClothSimulation {
   /// Goes on with a hold that was kept, after restore() of the state that was kept with it. @return number of
   /// the hold, or -1 when there is none left. Thread class: real-time.
   int take_over(const Grasp& grasp) noexcept;
+  /// The same with the number it had: a run goes on bit for bit only when all holds have theirs. @return
+  /// whether that number was free. Thread class: real-time.
+  bool take_over_as(int hold, const Grasp& grasp) noexcept;
   /// What the hand feels after the last step. Thread class: real-time.
   GraspReading grasp_reading(int hold) const noexcept;
 

@@ -67,37 +67,49 @@ struct Edges {
   std::size_t stride;
   const std::vector<double>& area;
   const PlayLaw& law;
+  double eta;  // viscosity [N s/m]
   Memory& memory;
 };
 
 template <class State, class Reader, class Memory>
-void add_edges(Pass<State, Reader>& pass, const Edges<Memory>& edges) noexcept {
-  const double h = pass.model.spacing;
-  const double eta = tension_viscosity(edges.law, pass.material.viscosity_time);
-  for (std::size_t slot = 0; slot < edges.area.size(); ++slot) {
-    const double area = edges.area[slot];
-    if (!(area > 0.0)) continue;
-    const std::size_t next = slot + edges.stride;
-    const EdgeMeasure edge = measure_edge(pass.x[slot], pass.x[next], h);
-    if (!edge.valid) continue;
-    const Reading elastic = pass.read(edges.law, edge.strain, edges.memory[slot]);
-    const double last = measure_edge(pass.state.positions[slot], pass.state.positions[next], h).strain;
-    const Reading viscosity = viscous(eta, edge.strain, last, pass.dt);
-    pass.energy.stretch += area * elastic.energy;
-    pass.energy.viscosity += area * viscosity.energy;
-    const Vec3 force = -(area / h) * (elastic.stress + viscosity.stress) * edge.direction;
-    pass.pull(next, force);
-    pass.pull(slot, -force);
-  }
+void add_edge(Pass<State, Reader>& pass, const Edges<Memory>& edges, std::size_t slot) noexcept {
+  const double area = edges.area[slot], h = pass.model.spacing;
+  if (!(area > 0.0)) return;
+  const std::size_t next = slot + edges.stride;
+  const EdgeMeasure edge = measure_edge(pass.x[slot], pass.x[next], h);
+  if (!edge.valid) return;
+  const Reading elastic = pass.read(edges.law, edge.strain, edges.memory[slot]);
+  const double last = measure_edge(pass.state.positions[slot], pass.state.positions[next], h).strain;
+  const Reading viscosity = viscous(edges.eta, edge.strain, last, pass.dt);
+  pass.energy.stretch += area * elastic.energy;
+  pass.energy.viscosity += area * viscosity.energy;
+  const Vec3 force = -(area / h) * (elastic.stress + viscosity.stress) * edge.direction;
+  pass.pull(next, force);
+  pass.pull(slot, -force);
+}
+
+template <class State, class Reader>
+auto weft_edges(Pass<State, Reader>& pass) noexcept {
+  using Memory = std::remove_reference_t<decltype((pass.state.weft_tension))>;
+  const PlayLaw& law = pass.material.weft_tension;
+  return Edges<Memory>{1, pass.model.weft_edge_area, law,
+                       tension_viscosity(law, pass.material.viscosity_time), pass.state.weft_tension};
+}
+
+template <class State, class Reader>
+auto warp_edges(Pass<State, Reader>& pass) noexcept {
+  using Memory = std::remove_reference_t<decltype((pass.state.warp_tension))>;
+  const PlayLaw& law = pass.material.warp_tension;
+  return Edges<Memory>{static_cast<std::size_t>(pass.model.columns), pass.model.warp_edge_area, law,
+                       tension_viscosity(law, pass.material.viscosity_time), pass.state.warp_tension};
 }
 
 template <class State, class Reader>
 void add_tension(Pass<State, Reader>& pass) noexcept {
-  const ClothModel& m = pass.model;
-  using Memory = std::remove_reference_t<decltype((pass.state.weft_tension))>;
-  add_edges(pass, Edges<Memory>{1, m.weft_edge_area, pass.material.weft_tension, pass.state.weft_tension});
-  add_edges(pass, Edges<Memory>{static_cast<std::size_t>(m.columns), m.warp_edge_area,
-                                pass.material.warp_tension, pass.state.warp_tension});
+  const auto weft = weft_edges(pass);
+  for (std::size_t slot = 0; slot < weft.area.size(); ++slot) add_edge(pass, weft, slot);
+  const auto warp = warp_edges(pass);
+  for (std::size_t slot = 0; slot < warp.area.size(); ++slot) add_edge(pass, warp, slot);
 }
 
 /// a and b gather the corners with signs over 2h.
@@ -163,6 +175,20 @@ void add_bending(Pass<State, Reader>& pass, std::size_t slot) noexcept {
   }
 }
 
+/// Shear and twist of a cell.
+template <class State, class Reader>
+void add_cell(Pass<State, Reader>& pass, std::size_t slot) noexcept {
+  if (!(pass.model.cell_area[slot] > 0.0)) return;
+  add_shear(pass, slot);
+  add_twist(pass, slot);
+}
+
+/// Bending of the triples about a slot.
+template <class State, class Reader>
+void add_triples(Pass<State, Reader>& pass, std::size_t slot) noexcept {
+  if (pass.model.weft_bend_area[slot] > 0.0 || pass.model.warp_bend_area[slot] > 0.0) add_bending(pass, slot);
+}
+
 template <class State, class Reader>
 void add_all(Pass<State, Reader>& pass) noexcept {
   const ClothModel& m = pass.model;
@@ -170,11 +196,8 @@ void add_all(Pass<State, Reader>& pass) noexcept {
   std::fill(pass.forces.begin(), pass.forces.end(), Vec3::Zero());
   add_tension(pass);
   for (std::size_t slot = 0; slot < slots; ++slot) {
-    if (m.cell_area[slot] > 0.0) {
-      add_shear(pass, slot);
-      add_twist(pass, slot);
-    }
-    if (m.weft_bend_area[slot] > 0.0 || m.warp_bend_area[slot] > 0.0) add_bending(pass, slot);
+    add_cell(pass, slot);
+    add_triples(pass, slot);
   }
 }
 
@@ -203,6 +226,26 @@ ClothEnergy cloth_free_energy(const ClothModel& model, const ClothMaterial& mate
   add_all(pass);
   pass.energy.weight = weight_energy(model, state.positions, gravity);
   return pass.energy;
+}
+
+double element_free_energy(const ClothModel& model, const ClothMaterial& material, const ClothState& state,
+                           ClothElement element, std::size_t slot) noexcept {
+  Pass<const ClothState, ReadFreeEnergy> pass{model, material, state, state.positions, 0.0, {}};
+  switch (element) {
+    case ClothElement::kWeftEdge:
+      add_edge(pass, weft_edges(pass), slot);
+      break;
+    case ClothElement::kWarpEdge:
+      add_edge(pass, warp_edges(pass), slot);
+      break;
+    case ClothElement::kCell:
+      add_cell(pass, slot);
+      break;
+    case ClothElement::kTriples:
+      add_triples(pass, slot);
+      break;
+  }
+  return pass.energy.internal();
 }
 
 double cloth_kinetic_energy(const ClothModel& model, const ClothState& state) noexcept {

@@ -10,6 +10,7 @@
 //   collapsed elements (see cloth_measures.h) add nothing
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "fuai/cloth/cloth_model.h"
@@ -49,6 +50,19 @@ ClothEnergy evaluate_cloth(const ClothModel& model, const ClothMaterial& materia
 /// Thread class: real-time.
 ClothEnergy cloth_free_energy(const ClothModel& model, const ClothMaterial& material, const ClothState& state,
                               const Vec3& gravity) noexcept;
+
+/// An element, named by the slot that cloth_model.h files it under.
+enum class ClothElement {
+  kWeftEdge,  ///< from the slot along the weft
+  kWarpEdge,  ///< from the slot along the warp
+  kCell,      ///< its shear and twist
+  kTriples,   ///< bending of both directions
+};
+
+/// The part of the free energy that one element has [J]; zero where there is no such element. All of them sum
+/// to ClothEnergy::internal() of cloth_free_energy(). Thread class: real-time.
+double element_free_energy(const ClothModel& model, const ClothMaterial& material, const ClothState& state,
+                           ClothElement element, std::size_t slot) noexcept;
 
 /// sum m v^2 / 2 over the live slots [J]. Thread class: real-time.
 double cloth_kinetic_energy(const ClothModel& model, const ClothState& state) noexcept;
