@@ -16,6 +16,7 @@
 #include "fuai/io/text_file.h"
 #include "fuai/picture/overlay.h"
 #include "fuai/runtime/frame_pipe.h"
+#include "fuai/window/scaled_fabric.h"
 #include "fuai/window/viewer_work.h"
 
 namespace fuai {
