@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include "fuai/cloth/cloth_model.h"
 #include "fuai/core/types.h"
@@ -55,6 +56,8 @@ class Grasp {
   std::size_t size() const noexcept { return count_; }
   int slot(std::size_t i) const noexcept { return slots_[i]; }
   double weight(std::size_t i) const noexcept { return weights_[i]; }
+  std::span<const int> slots() const noexcept { return {slots_.data(), count_}; }
+  std::span<const double> weights() const noexcept { return {weights_.data(), count_}; }  ///< sum to 1
   Vec3 target(std::size_t i) const noexcept { return centre_ + rotation_ * offsets_[i]; }
   /// Where the patch is to be [m].
   const Vec3& centre() const noexcept { return centre_; }
