@@ -44,7 +44,7 @@ void past(ViewerState& state) {
   const ViewSnapshot& s = state.snapshot();
   auto tick = static_cast<float>(static_cast<double>(s.tick) * kViewStep);
   const auto first = static_cast<float>(static_cast<double>(s.first_tick) * kViewStep);
-  const float now = std::max(static_cast<float>(static_cast<double>(state.newest_tick) * kViewStep), tick);
+  const auto now = static_cast<float>(static_cast<double>(std::max(s.newest_tick, s.tick)) * kViewStep);
   ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x - 5.0F * ImGui::GetFontSize(), 60.0F));
   if (ImGui::SliderFloat(state.text(TextId::kPast), &tick, first, now, "%.3f s")) {
     state.playing = false;

@@ -34,8 +34,7 @@ double factor_of(const ViewFabric& fabric, FabricFactor which) {
 /// The factors of a section when one of them differs from 1.
 const SectionFactors* changed_section(const ViewFabric& fabric, const std::string& section) {
   for (const SectionFactors& s : kSections)
-    if (section == s.section &&
-        (factor_of(fabric, s.elastic) != 1.0 || factor_of(fabric, s.friction) != 1.0))
+    if (section == s.section && (factor_of(fabric, s.elastic) != 1.0 || factor_of(fabric, s.friction) != 1.0))
       return &s;
   return nullptr;
 }

@@ -7,7 +7,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -43,10 +42,7 @@ Quality quality_of(const std::string& renderer) {
   return {};
 }
 
-double now_ms() {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
+double now_ms() { return 1e-3 * PacedThread::now_us(); }
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0.0;
@@ -71,11 +67,7 @@ class UiContext {
 /// All of it. Members are destroyed from the last to the first: the cloth's thread ends before the session.
 class Viewer {
  public:
-  explicit Viewer(const ViewerOptions& options)
-      : options_(options), state_(make_view_setup(options.scene, options.fabrics, options.size)) {
-    ViewSetup setup = state_.document.setup();
-    setup.scene_moves = options.scene_moves;
-    state_ = ViewerState(std::move(setup));
+  explicit Viewer(const ViewerOptions& options) : options_(options), state_(setup_of(options)) {
     state_.settings = options.settings;
     state_.fabric_names = bundled_fabric_ids();
     state_.browse_folder = data_folder();
@@ -102,6 +94,11 @@ class Viewer {
   }
 
  private:
+  static ViewSetup setup_of(const ViewerOptions& options) {
+    ViewSetup setup = make_view_setup(options.scene, options.fabrics, options.size);
+    setup.scene_moves = options.scene_moves;
+    return setup;
+  }
   bool steps_itself() const { return options_.seconds > 0.0 || !options_.window; }
   bool over() const {
     return options_.seconds > 0.0 &&
@@ -127,7 +124,7 @@ class Viewer {
 
   void start_thread() {
     thread_ = std::make_unique<PacedThread>(
-        kViewStep, [session = state_.session.get()] { return session->tick(1e3 * now_ms()); });
+        [session = state_.session.get()] { return session->tick(PacedThread::now_us()); }, kViewStep);
   }
 
   void step_cloths() {
@@ -136,7 +133,7 @@ class Viewer {
       state_.real_time_factor = thread_->real_time_factor();
       return;
     }
-    for (int i = 0; i < kTicksAPicture && !over(); ++i) state_.session->tick(1e3 * now_ms());
+    for (int i = 0; i < kTicksAPicture && !over(); ++i) state_.session->tick(PacedThread::now_us());
   }
 
   void panels() {
@@ -160,7 +157,6 @@ class Viewer {
       if (state_.built.scene != framed_scene_) frame_next_ = true;
     }
     take_snapshot(state_);
-    state_.newest_tick = std::max(state_.newest_tick, state_.snapshot().tick);
     state_.tiles = make_tiles(lay_out(state_).view, state_.meshes.size());
     if (frame_next_) {
       frame_view(state_);

@@ -83,6 +83,8 @@ class ViewerFiles::Video {
   int count_ = 0;
 };
 
+ViewerFiles::ViewerFiles(std::string folder, std::string version)
+    : folder_(std::move(folder)), version_(std::move(version)) {}
 ViewerFiles::~ViewerFiles() = default;
 
 /// A name that no file has yet: stem-001.png.

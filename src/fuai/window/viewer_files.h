@@ -17,8 +17,7 @@ namespace fuai {
 class ViewerFiles {
  public:
   /// @param version of the program, for captions
-  ViewerFiles(std::string folder, std::string version)
-      : folder_(std::move(folder)), version_(std::move(version)) {}
+  ViewerFiles(std::string folder, std::string version);
   ~ViewerFiles();
 
   /// Does what the wishes of the state ask for in files. @param target as the frame left it

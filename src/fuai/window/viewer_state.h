@@ -85,7 +85,6 @@ struct ViewerState {
   bool recording = false, filming = false, logging = false;
   bool browsing = false;  ///< the file panel is open
   std::string browse_folder;
-  std::int64_t newest_tick = 0;     ///< that the session has had since it began or went back
   std::uint64_t built_version = 0;  ///< of the document, that `cloths` were built for
   ViewSetup built;                  ///< that setup
   bool hint = true;
