@@ -3,11 +3,15 @@
 // Source: docs/viewer.md, "Recordings".
 //
 //   fuai-view/1 recordings are text; each line is handed to the system as soon as it is known, so that a
-//   killed program loses at most the frame it was in. A torn last line is left out at reading.
+//   killed program loses at most the picture it was in. A torn last line is left out at reading.
+//
+//   build = session.replace(cloths, false)     or nothing, for a session that has just begun: build 0
+//   ViewLogWriter log(path, setup, build)
+//   with every picture: events = session.take_events(rewound_to); log.write(events, rewound_to)
+//   with every other replace(): log.announce(its build, its setup)
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,13 +23,17 @@ namespace fuai {
 /// Writes a recording while it happens. Thread class: set-up (file).
 class ViewLogWriter {
  public:
-  /// @throws Error (kBadInput) when the file cannot be written. @param laws_hashes one a fabric
-  ViewLogWriter(const std::string& path, const ViewSetup& setup);
+  /// The recording begins where the cloths of this setup took over: what happened before is left out.
+  /// @param build that replace() gave it; 0: the session began with it
+  /// @throws Error (kBadInput) when the file cannot be written, and as make_view_laws().
+  ViewLogWriter(const std::string& path, const ViewSetup& setup, std::uint64_t build = 0);
   ~ViewLogWriter();
-  /// @param rewound_to as ViewSession::take_events() says
+
+  /// @param events, rewound_to as ViewSession::take_events() gave them
+  /// @throws Error (kBadInput) when the file cannot be written; (kUsage) for a build nobody announced.
   void write(const std::vector<ViewEvent>& events, std::int64_t rewound_to);
-  /// A change of the setup at a tick (fabric, factor, scene): a new part of the recording.
-  void write_setup(std::int64_t tick, const ViewSetup& setup, bool keep_shape);
+  /// The setup behind a build, to be told before the events are written that say it took over.
+  void announce(std::uint64_t build, const ViewSetup& setup);
 
  private:
   struct Parts;
@@ -37,10 +45,11 @@ struct ViewLogPart {
   std::int64_t tick = 0;
   ViewSetup setup;
   bool keep_shape = false;
-  std::vector<ViewEvent> events;
+  std::vector<ViewEvent> events;  ///< commands and hashes
 };
 
-/// @throws Error (kBadInput) with file and line. Thread class: set-up.
+/// Reads a recording and loads its fabrics. @throws Error (kBadInput) with file and line, also where a fabric
+/// is not the one that was recorded. Thread class: set-up.
 std::vector<ViewLogPart> read_view_log(const std::string& path);
 
 /// What a replay found.

@@ -1,0 +1,164 @@
+// Writes recordings and runs them again.
+// SPDX-License-Identifier: Apache-2.0
+#include "fuai/viewer/view_log.h"
+
+#include <algorithm>
+#include <map>
+
+#include "fuai/core/error.h"
+#include "fuai/core/hash.h"
+#include "fuai/io/growing_file.h"
+#include "fuai/io/number_text.h"
+#include "fuai/viewer/view_log_words.h"
+
+namespace fuai {
+namespace {
+
+std::string numbers(std::initializer_list<double> values) {
+  std::string text;
+  for (const double value : values) text += " " + number_text(value);
+  return text;
+}
+
+std::string numbers(const Vec3& v) { return numbers({v.x(), v.y(), v.z()}); }
+
+/// A name on one line: control characters and the percent sign as %XX.
+std::string escaped(const std::string& name) {
+  std::string text;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && c != '%') {
+      text += c;
+    } else {
+      constexpr const char* kDigits = "0123456789abcdef";
+      text += {'%', kDigits[byte >> 4U], kDigits[byte & 15U]};
+    }
+  }
+  return text;
+}
+
+std::string setup_text(std::int64_t tick, const ViewSetup& setup, bool keep_shape) {
+  std::string text =
+      std::string(view_log::kPart) + " " + std::to_string(tick) + (keep_shape ? " kept" : " anew") + "\n";
+  text += std::string(view_log::kScene) + " " + setup.scene + "\n";
+  text += std::string(view_log::kSize) + " " + std::to_string(setup.size.size) +
+          numbers({setup.size.spacing}) + "\n";
+  text += std::string(view_log::kMoves) + (setup.scene_moves ? " 1\n" : " 0\n");
+  for (const ViewFabric& fabric : setup.fabrics) {
+    text += std::string(view_log::kFabric) + " " + hash_text(laws_hash(make_view_laws(fabric)));
+    for (const double factor : fabric.factors) text += numbers({factor});
+    text += " " + escaped(fabric.source) + "\n";
+  }
+  return text + std::string(view_log::kBegin) + "\n";
+}
+
+std::string event_text(const ViewEvent& event) {
+  using Kind = ViewCommand::Kind;
+  std::string text = std::to_string(event.tick);
+  if (event.kind == ViewEvent::Kind::kHash)
+    return text + " " + std::string(view_log::kHash) + " " + hash_text(event.hash) + "\n";
+  const ViewCommand& c = event.command;
+  text += " " + std::string(view_log::word_of(c.kind));
+  const std::string hand = " " + std::to_string(c.hand);
+  switch (c.kind) {
+    case Kind::kGrab:
+      text += hand + numbers({c.material.x(), c.material.y()}) + numbers(c.position) + numbers({c.radius});
+      break;
+    case Kind::kMove:
+      text += hand + numbers(c.position) + " " + std::to_string(c.ticks);
+      break;
+    case Kind::kRelease:
+      text += hand;
+      break;
+    case Kind::kReset:
+      break;
+    case Kind::kMotion:
+      text += c.flag ? " 1" : " 0";
+      break;
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+struct ViewLogWriter::Parts {
+  GrowingFile file;
+  std::map<std::uint64_t, ViewSetup> announced{};
+  std::uint64_t first_build = 0;
+  bool began = false;
+  std::int64_t part_tick = 0;
+};
+
+ViewLogWriter::ViewLogWriter(const std::string& path, const ViewSetup& setup, std::uint64_t build)
+    : parts_(new Parts{GrowingFile(path), {{build, setup}}, build}) {
+  std::string text = std::string(view_log::kFormat) + "\n";
+  if (build == 0) {
+    text += setup_text(0, setup, false);
+    parts_->began = true;
+  }
+  parts_->file.add(text);
+}
+
+ViewLogWriter::~ViewLogWriter() = default;
+
+void ViewLogWriter::announce(std::uint64_t build, const ViewSetup& setup) {
+  parts_->announced.insert_or_assign(build, setup);
+}
+
+void ViewLogWriter::write(const std::vector<ViewEvent>& events, std::int64_t rewound_to) {
+  Parts& p = *parts_;
+  std::string text;
+  if (p.began && rewound_to > p.part_tick)
+    text += std::string(view_log::kRewind) + " " + std::to_string(rewound_to) + "\n";
+  for (const ViewEvent& event : events) {
+    if (event.kind == ViewEvent::Kind::kReplaced) {
+      p.began = p.began || event.build == p.first_build;
+      if (!p.began) continue;
+      const auto setup = p.announced.find(event.build);
+      if (setup == p.announced.end())
+        throw Error(ErrorKind::kUsage, "a recording was not told of a change of cloths");
+      text += setup_text(event.tick, setup->second, event.kept_shape && event.build != p.first_build);
+      p.part_tick = event.tick;
+      p.announced.erase(p.announced.begin(), std::next(setup));  // earlier ones were passed over
+    } else if (p.began) {
+      text += event_text(event);
+    }
+  }
+  if (!text.empty()) p.file.add(text);
+}
+
+ViewReplay replay_view_log(const std::vector<ViewLogPart>& parts) {
+  ViewReplay replay;
+  if (parts.empty()) return replay;
+  ViewSession session(std::make_shared<ViewCloths>(parts.front().setup));
+  const std::int64_t base = parts.front().tick;
+  const auto run_to = [&](std::int64_t tick) {
+    const std::int64_t wanted = tick - base;
+    session.single_steps(static_cast<int>(wanted - session.ticks()));
+    while (session.ticks() < wanted) session.tick(0.0);
+  };
+  for (const ViewLogPart& part : parts) {
+    run_to(part.tick);
+    if (&part != &parts.front()) {
+      session.replace(std::make_shared<ViewCloths>(part.setup), part.keep_shape);
+      session.tick(0.0);
+    }
+    for (const ViewEvent& event : part.events) {
+      run_to(event.tick);
+      if (event.kind == ViewEvent::Kind::kCommand) {
+        session.send(event.command);
+        session.tick(0.0);
+        continue;
+      }
+      replay.state_hash = session.state_hash();
+      replay.recorded_hash = event.hash;
+      ++replay.hashes;
+      if (replay.state_hash != replay.recorded_hash && replay.first_difference < 0)
+        replay.first_difference = event.tick;
+    }
+  }
+  replay.ticks = session.ticks();
+  return replay;
+}
+
+}  // namespace fuai
