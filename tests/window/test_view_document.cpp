@@ -85,6 +85,7 @@ TEST_SUITE("unit") {
       CAPTURE(row.label);
       CHECK(keys.insert({row.key, row.control, row.shift}).second);
       CHECK(row.action != KeyAction::kNone);
+      CHECK(action_of({row.key, row.control, row.shift, false}) == row.action);
       CHECK(std::string(row.label).starts_with("Ctrl+") == row.control);
     }
     for (int action = 1; action <= static_cast<int>(KeyAction::kQuit); ++action)

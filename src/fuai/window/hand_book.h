@@ -32,6 +32,8 @@ class HandBook {
   void move(ViewSession& session, int hand, const Vec3& target);
   void release(ViewSession& session, int hand);
   void release_all(ViewSession& session);
+  /// All of them, without telling the session.
+  void forget() { *this = {}; }
   /// Forgets hands that the session no longer has: after a reset, another scene, a way back in time.
   void follow(const ViewSnapshot& snapshot);
 

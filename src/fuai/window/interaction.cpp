@@ -149,14 +149,9 @@ void handle_mouse(ViewerState& state) {
   }
 }
 
-void handle_keys(ViewerState& state) {
-  const ImGuiIO& io = ImGui::GetIO();
-  if (io.WantTextInput) return;
-  for (const KeyRow& row : key_table()) {
-    if (row.key == 0 || row.control != io.KeyCtrl || row.shift != io.KeyShift) continue;
-    if (ImGui::IsKeyPressed(row.key, row.action == KeyAction::kStep || row.action == KeyAction::kStepBack))
-      act(state, row.action);
-  }
+void handle_keys(ViewerState& state, const std::vector<KeyPress>& keys) {
+  if (ImGui::GetIO().WantTextInput) return;
+  for (const KeyPress& press : keys) act(state, action_of(press));
 }
 
 }  // namespace fuai

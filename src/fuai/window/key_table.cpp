@@ -24,7 +24,9 @@ constexpr KeyRow kRows[] = {
     {kReset, GLFW_KEY_R, false, false, "R", TextId::kKeyReset},
     {kReset, GLFW_KEY_BACKSPACE, false, false, "Backspace", TextId::kKeyReset},
     {kFaster, GLFW_KEY_EQUAL, false, false, "+", TextId::kKeyFaster},
+    {kFaster, GLFW_KEY_KP_ADD, false, false, "+", TextId::kKeyFaster},
     {kSlower, GLFW_KEY_MINUS, false, false, "-", TextId::kKeySlower},
+    {kSlower, GLFW_KEY_KP_SUBTRACT, false, false, "-", TextId::kKeySlower},
     {kReleaseAll, GLFW_KEY_ESCAPE, false, false, "Esc", TextId::kKeyReleaseAll},
     {kHeatMap, GLFW_KEY_H, false, false, "H", TextId::kKeyHeatMap},
     {kArrows, GLFW_KEY_F, false, false, "F", TextId::kKeyArrows},
@@ -52,6 +54,16 @@ constexpr KeyRow kRows[] = {
 }  // namespace
 
 std::span<const KeyRow> key_table() { return kRows; }
+
+KeyAction action_of(const KeyPress& press) {
+  for (const KeyRow& row : kRows) {
+    if (row.key == 0 || row.key != press.key || row.control != press.control || row.shift != press.shift)
+      continue;
+    const bool steps = row.action == kStep || row.action == kStepBack;
+    return press.repeated && !steps ? kNone : row.action;
+  }
+  return kNone;
+}
 
 const char* key_label(KeyAction action) {
   for (const KeyRow& row : kRows)

@@ -50,6 +50,15 @@ struct KeyRow {
   TextId what;
 };
 
+/// A key that went down, or repeats.
+struct KeyPress {
+  int key = 0;  ///< as GLFW numbers them
+  bool control = false, shift = false, repeated = false;
+};
+
+/// What a key does, kNone for most; of repeated ones only those that step. Thread class: any.
+KeyAction action_of(const KeyPress& press);
+
 /// All rows in the order of the help; the mouse first. Thread class: any.
 std::span<const KeyRow> key_table();
 

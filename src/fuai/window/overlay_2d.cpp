@@ -18,9 +18,10 @@ namespace {
 
 ImVec2 flat(const Vec3& v) { return {static_cast<float>(v.x()), static_cast<float>(v.y())}; }
 
-/// From thin and pale for a millinewton to thick and red for ten newtons.
-Colour force_colour(double share) {
-  return {0.25 + 0.65 * share, 0.75 - 0.55 * share, 0.95 - 0.75 * share, 1.0};
+/// From blue for a tenth of a millinewton to red for ten newtons, dark on a light ground.
+Colour force_colour(double share, bool dark) {
+  if (dark) return {0.35 + 0.65 * share, 0.80 - 0.45 * share, 1.0 - 0.75 * share, 1.0};
+  return {0.85 * share, 0.30 * (1.0 - share), 0.70 - 0.60 * share, 1.0};
 }
 
 void write(ImDrawList& list, ImVec2 at, const std::string& text, bool dark, ImU32 colour) {
@@ -52,7 +53,7 @@ struct HandMark {
 void draw_hand(const ViewerState& state, ImDrawList& list, const ScreenTile& tile, const HandMark& mark) {
   const float scale = state.settings.scale;
   const double force = mark.reading.force.norm(), share = force_share(force);
-  const ImU32 colour = to_ui_colour(force_colour(share));
+  const ImU32 colour = to_ui_colour(force_colour(share, state.settings.dark));
   const Vec3 patch = to_screen(state, tile, mark.reading.centre);
   if (patch.z() <= 0.0) return;
   const float radius = (mark.pinned ? 4.0F : 6.0F) * scale;

@@ -96,7 +96,7 @@ void number_table(ViewerState& state, std::size_t place) {
   ImGui::TextUnformatted(state.text(TextId::kMeasuredValues));
   const ImGuiTableFlags flags =
       ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerV;
-  const float sliders = (static_cast<float>(kFabricFactorCount) + 3.2F) * ImGui::GetFrameHeightWithSpacing();
+  const float sliders = (static_cast<float>(kFabricFactorCount) + 2.2F) * ImGui::GetFrameHeightWithSpacing();
   const float height = std::max(ImGui::GetContentRegionAvail().y - sliders, 6.0F * ImGui::GetFontSize());
   if (!ImGui::BeginTable("numbers", 3, flags, {0.0F, height})) return;
   ImGui::TableSetupColumn("symbol", ImGuiTableColumnFlags_WidthStretch, 0.30F);

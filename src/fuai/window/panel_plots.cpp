@@ -31,6 +31,7 @@ Plot force_plot(const ViewerState& state, bool against_way) {
   plot.y_label = force_label(state);
   const std::size_t count = state.document.setup().fabrics.size();
   plot.legend = count > 1;
+  double most = 0.0;
   for (std::size_t cloth = 0; cloth < count; ++cloth) {
     Series series;
     series.colour = static_cast<int>(cloth);
@@ -40,8 +41,12 @@ Plot force_plot(const ViewerState& state, bool against_way) {
       series.x.push_back(against_way ? m.way / unit::kMillimetre : m.time);
       series.y.push_back(m.forces[cloth] / force_unit(state));
     }
+    for (const double y : series.y) most = std::max(most, y);
     plot.series.push_back(std::move(series));
   }
+  // Not down to what rounding makes of nothing.
+  constexpr double kLeastForce = 1e-3;  // [N]
+  plot.y_range = Range{0.0, 1.05 * std::max(most, kLeastForce / force_unit(state))};
   return plot;
 }
 
@@ -139,7 +144,7 @@ void draw_plots_panel(ViewerState& state) {
       ImGui::TextWrapped("%s", state.text(TextId::kGrabFirst));
     const float width = ImGui::GetContentRegionAvail().x;
     const float height =
-        std::max(ImGui::GetContentRegionAvail().y / 5.0F - 4.0F, 8.5F * ImGui::GetFontSize());
+        std::max(ImGui::GetContentRegionAvail().y / 5.0F - 4.0F, 7.4F * ImGui::GetFontSize());
     const PlotWidget widget{width, height, state.settings.dark};
     ImGui::PushID("time");
     draw_plot(force_plot(state, false), widget);

@@ -14,20 +14,14 @@ namespace fuai {
 namespace {
 
 /// Characters that labels are made of besides letters.
-constexpr const char* kSymbols = "·²³°×−→←↑↓±²⁻⁰¹²³⁴⁵⁶⁷⁸⁹…—–“”";
+constexpr const char* kSymbols = "●·²³°×−→←↑↓±²⁻⁰¹²³⁴⁵⁶⁷⁸⁹…—–“”";
 
-}  // namespace
-
-ImU32 to_ui_colour(const Colour& c, double alpha) {
-  return ImGui::ColorConvertFloat4ToU32({static_cast<float>(c.red), static_cast<float>(c.green),
-                                         static_cast<float>(c.blue), static_cast<float>(c.alpha * alpha)});
-}
-
-std::string find_japanese_font() {
+/// The file of the font that matches a pattern best and has a language; empty when there is none.
+std::string find_font(const char* pattern, const char* language) {
   const std::unique_ptr<FcConfig, void (*)(FcConfig*)> config(FcInitLoadConfigAndFonts(), FcConfigDestroy);
   if (!config) return {};
-  const auto name = reinterpret_cast<const FcChar8*>("sans:lang=ja");
-  const std::unique_ptr<FcPattern, void (*)(FcPattern*)> wanted(FcNameParse(name), FcPatternDestroy);
+  const auto text = [](const char* t) { return reinterpret_cast<const FcChar8*>(t); };
+  const std::unique_ptr<FcPattern, void (*)(FcPattern*)> wanted(FcNameParse(text(pattern)), FcPatternDestroy);
   FcConfigSubstitute(config.get(), wanted.get(), FcMatchPattern);
   FcDefaultSubstitute(wanted.get());
   FcResult result = FcResultNoMatch;
@@ -36,13 +30,19 @@ std::string find_japanese_font() {
   if (!found) return {};
   // What matches best need not have the language.
   FcLangSet* languages = nullptr;
-  const auto japanese = reinterpret_cast<const FcChar8*>("ja");
   if (FcPatternGetLangSet(found.get(), FC_LANG, 0, &languages) != FcResultMatch ||
-      FcLangSetHasLang(languages, japanese) == FcLangDifferentLang)
+      FcLangSetHasLang(languages, text(language)) == FcLangDifferentLang)
     return {};
   FcChar8* file = nullptr;
   if (FcPatternGetString(found.get(), FC_FILE, 0, &file) != FcResultMatch) return {};
   return reinterpret_cast<const char*>(file);
+}
+
+}  // namespace
+
+ImU32 to_ui_colour(const Colour& c, double alpha) {
+  return ImGui::ColorConvertFloat4ToU32({static_cast<float>(c.red), static_cast<float>(c.green),
+                                         static_cast<float>(c.blue), static_cast<float>(c.alpha * alpha)});
 }
 
 std::string load_fonts(float size, const std::string& more) {
@@ -61,8 +61,14 @@ std::string load_fonts(float size, const std::string& more) {
   static ImVector<ImWchar> ranges;  // the atlas reads it until it is built, and does not copy it
   ranges.clear();
   builder.BuildRanges(&ranges);
-  const std::string file = find_japanese_font();
+  const std::string file = find_font("sans:lang=ja", "ja");
   if (!file.empty() && atlas.AddFontFromFileTTF(file.c_str(), size, nullptr, ranges.Data) != nullptr) {
+    // Fonts for Japanese have no raised minus.
+    static constexpr ImWchar kRaised[] = {0x2070, 0x207f, 0};
+    const std::string other = find_font("DejaVu Sans", "en");
+    ImFontConfig merged;
+    merged.MergeMode = true;
+    if (!other.empty()) atlas.AddFontFromFileTTF(other.c_str(), size, &merged, kRaised);
     atlas.Build();
     return {};
   }

@@ -13,9 +13,6 @@ namespace fuai {
 /// A colour as ImGui packs it. Thread class: any.
 ImU32 to_ui_colour(const Colour& colour, double alpha = 1.0);
 
-/// Path of a font that has Japanese, as fontconfig finds it; empty when there is none. Thread class: set-up.
-std::string find_japanese_font();
-
 /// Fills the font atlas of the current ImGui context with the characters of all texts and of `more`.
 /// @param size height of the letters [pixel] @param more UTF-8, e.g. names of fabrics
 /// @return what is missing, a sentence; empty when nothing is. Thread class: the window's.

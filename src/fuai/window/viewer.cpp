@@ -153,7 +153,7 @@ class Viewer {
     target_.resize(std::max(host_->width(), 64), std::max(host_->height(), 64), quality_.samples);
     step_cloths();
     if (follow_document(state_)) {
-      files_->setup_changed(state_, true);
+      files_->setup_changed(state_);
       if (state_.built.scene != framed_scene_) frame_next_ = true;
     }
     take_snapshot(state_);
@@ -163,12 +163,13 @@ class Viewer {
       framed_scene_ = state_.built.scene;
       frame_next_ = false;
     }
-    handle_keys(state_);
+    handle_keys(state_, host_->take_keys());
     panels();
     handle_mouse(state_);
     draw_overlay_2d(state_);
     ImGui::Render();
-    paint();
+    // Without a window nobody looks before the end.
+    if (options_.window) paint();
     host_->show(target_);
     serve_wishes();
     files_->follow(state_, target_);

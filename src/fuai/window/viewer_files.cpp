@@ -11,7 +11,6 @@
 #include "fuai/core/error.h"
 #include "fuai/experiments/scene_pictures.h"
 #include "fuai/io/fabric_file.h"
-#include "fuai/io/mesh_gltf.h"
 #include "fuai/io/mesh_obj.h"
 #include "fuai/io/text_file.h"
 #include "fuai/picture/overlay.h"
@@ -163,7 +162,7 @@ void ViewerFiles::toggle_video(ViewerState& state) {
 }
 
 void ViewerFiles::start_recording(ViewerState& state, const std::string& path) {
-  recording_ = std::make_unique<ViewLogWriter>(path, state.document.setup());
+  recording_ = std::make_unique<ViewLogWriter>(path, state.built, state.build);
   state.recording = true;
 }
 
@@ -176,25 +175,11 @@ void ViewerFiles::toggle_recording(ViewerState& state) {
   }
   try_files(state, [&] {
     const std::string path = free_name("fuai", ".fuai-view");
-    // A recording begins at the beginning.
-    act(state, KeyAction::kReset);
+    // A recording begins where new cloths take over.
+    restart_cloths(state);
     start_recording(state, path);
     state.say(path);
   });
-}
-
-void ViewerFiles::toggle_force_log(ViewerState& state) {
-  if (forces_) {
-    forces_.reset();
-    state.say(state.text(TextId::kSaved));
-  } else {
-    try_files(state, [&] {
-      const std::string path = free_name("fuai-forces", ".csv");
-      forces_ = std::make_unique<ForceLog>(path);
-      state.say(path);
-    });
-  }
-  state.logging = forces_ != nullptr;
 }
 
 void ViewerFiles::save_fabric(ViewerState& state) {
@@ -212,7 +197,6 @@ void ViewerFiles::serve(ViewerState& state, ScreenTarget& target, ClothPainter& 
   if (wishes.screenshot) screenshot(state, target, painter);
   if (wishes.video) toggle_video(state);
   if (wishes.record) toggle_recording(state);
-  if (wishes.force_log) toggle_force_log(state);
   if (wishes.save) save_fabric(state);
   const std::string name = state.document.setup().fabrics.front().measured.id;
   if (wishes.obj) {
@@ -222,21 +206,10 @@ void ViewerFiles::serve(ViewerState& state, ScreenTarget& target, ClothPainter& 
       state.say(path + ": " + state.text(TextId::kSaved));
     });
   }
-  if (wishes.gltf) {
-    try_files(state, [&] {
-      const std::string path = free_name("fuai", ".glb");
-      write_atomically(path, mesh_glb(state.meshes.front().mesh, name));
-      state.say(path + ": " + state.text(TextId::kSaved));
-    });
-  }
 }
 
-void ViewerFiles::setup_changed(ViewerState& state, bool keep_shape) {
-  if (!recording_) return;
-  try_files(state, [&] {
-    follow_events(state);
-    recording_->write_setup(state.snapshot().tick, state.document.setup(), keep_shape);
-  });
+void ViewerFiles::setup_changed(ViewerState& state) {
+  if (recording_) try_files(state, [&] { recording_->announce(state.build, state.built); });
 }
 
 void ViewerFiles::follow_events(ViewerState& state) {
@@ -248,7 +221,6 @@ void ViewerFiles::follow_events(ViewerState& state) {
 void ViewerFiles::follow(ViewerState& state, const ScreenTarget& target) {
   try_files(state, [&] {
     follow_events(state);
-    if (forces_) forces_->write(state.snapshot());
     if (video_ && !video_->follow(state.snapshot().time, target)) toggle_video(state);
   });
 }

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "fuai/picture/cloth_painter.h"
-#include "fuai/viewer/force_log.h"
 #include "fuai/viewer/view_log.h"
 #include "fuai/window/screen_target.h"
 #include "fuai/window/viewer_state.h"
@@ -29,21 +28,19 @@ class ViewerFiles {
   /// The cloths alone, as they are seen. @param transparent without background and floor
   Image cloths_image(const ViewerState& state, ScreenTarget& target, ClothPainter& painter, bool caption,
                      bool transparent) const;
-  /// A part of the setup that changed goes into the recording.
-  void setup_changed(ViewerState& state, bool keep_shape);
+  /// Other cloths took over: goes into the recording.
+  void setup_changed(ViewerState& state);
 
  private:
   void screenshot(ViewerState& state, ScreenTarget& target, ClothPainter& painter);
   void toggle_video(ViewerState& state);
   void toggle_recording(ViewerState& state);
-  void toggle_force_log(ViewerState& state);
   void save_fabric(ViewerState& state);
   void follow_events(ViewerState& state);
   std::string free_name(const std::string& stem, const std::string& ending) const;
 
   std::string folder_, version_;
   std::unique_ptr<ViewLogWriter> recording_;
-  std::unique_ptr<ForceLog> forces_;
   class Video;
   std::unique_ptr<Video> video_;
 };

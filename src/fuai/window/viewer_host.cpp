@@ -44,6 +44,13 @@ class WindowHost final : public ViewerHost {
       auto* self = static_cast<WindowHost*>(glfwGetWindowUserPointer(window));
       for (int i = 0; i < count; ++i) self->dropped_.emplace_back(paths[i]);
     });
+    // ImGui's callbacks call the ones that were there before.
+    glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int mods) {
+      if (action == GLFW_RELEASE) return;
+      auto* self = static_cast<WindowHost*>(glfwGetWindowUserPointer(window));
+      self->keys_.push_back(
+          {key, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0, action == GLFW_REPEAT});
+    });
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
     ImGui_ImplOpenGL3_Init(kGlsl);
   }
@@ -85,6 +92,7 @@ class WindowHost final : public ViewerHost {
     glfwGetWindowSize(window_, &place_[2], &place_[3]);
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
   }
+  std::vector<KeyPress> take_keys() override { return std::exchange(keys_, {}); }
   std::vector<std::string> take_dropped() override { return std::exchange(dropped_, {}); }
 
  private:
@@ -101,6 +109,7 @@ class WindowHost final : public ViewerHost {
   int width_ = 0, height_ = 0;
   int place_[4] = {0, 0, 0, 0};
   std::vector<std::string> dropped_;
+  std::vector<KeyPress> keys_;
 };
 
 class HeadlessHost final : public ViewerHost {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fuai/window/key_table.h"
 #include "fuai/window/screen_target.h"
 
 namespace fuai {
@@ -28,6 +29,9 @@ class ViewerHost {
   virtual float scale() const = 0;   ///< of the screen, 1 at 96 dpi
   virtual double clock() const = 0;  ///< [s]
   virtual void toggle_full_screen() {}
+  /// Keys that were pressed since the last call. Not asked from ImGui, which looks once a picture: a key that
+  /// was pressed and let go between two pictures counts.
+  virtual std::vector<KeyPress> take_keys() { return {}; }
   /// Paths that were dropped on it since the last call.
   virtual std::vector<std::string> take_dropped() { return {}; }
 };

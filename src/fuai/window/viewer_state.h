@@ -86,6 +86,7 @@ struct ViewerState {
   bool browsing = false;  ///< the file panel is open
   std::string browse_folder;
   std::uint64_t built_version = 0;  ///< of the document, that `cloths` were built for
+  std::uint64_t build = 0;          ///< as the session numbers it
   ViewSetup built;                  ///< that setup
   bool hint = true;
 
@@ -116,7 +117,7 @@ void draw_comparison(ViewerState& state);
 void draw_overlay_2d(ViewerState& state);
 /// Mouse and keys that no panel wants.
 void handle_mouse(ViewerState& state);
-void handle_keys(ViewerState& state);
+void handle_keys(ViewerState& state, const std::vector<KeyPress>& keys);
 /// Does what a key or a menu entry asks for.
 void act(ViewerState& state, KeyAction action);
 

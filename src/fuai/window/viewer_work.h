@@ -19,6 +19,9 @@ void begin_session(ViewerState& state);
 /// The same after a change of the document: what can be kept is. A setup that cannot be built is told and
 /// undone. @return whether the cloths are new. Thread class: the window's.
 bool follow_document(ViewerState& state);
+/// New cloths of the same setup, at the start of the scene. @throws Error as ViewCloths. Thread class: the
+/// window's.
+void restart_cloths(ViewerState& state);
 /// Takes what the session has to show. Thread class: the window's.
 void take_snapshot(ViewerState& state);
 /// Sees all of the scene. Thread class: the window's.
