@@ -15,21 +15,6 @@
 namespace fuai {
 namespace {
 
-CurveTable scaled(const CurveTable& table, double factor) {
-  if (table.node_count() == 0) return table;
-  std::vector<double> values(table.nodes().begin(), table.nodes().end());
-  for (double& value : values) value *= factor;
-  Extrapolation outside = table.extrapolation();
-  outside.slope_low *= factor;
-  outside.slope_high *= factor;
-  return make_curve_table(table.low(), table.high(), values, outside);
-}
-
-/// Elastic curve and friction alike, so that the loop keeps its shape.
-PlayLaw scaled(const PlayLaw& law, double factor) {
-  return make_play_law(scaled(law.elastic(), factor), scaled(law.friction(), factor), law.elements());
-}
-
 double largest_stiffness(const PlayLaw& tension) {
   constexpr int kSamples = 50;
   double largest = 0.0;
@@ -75,7 +60,8 @@ DrapeMaterial make_drape_material(const FabricLaws& laws, double spacing, bool e
   DrapeMaterial made;
   for (std::size_t i = 0; i < 2; ++i) {
     made.locking[i] = locking_of(varied.tensile[i], varied.bending[i], laws.areal_mass, spacing);
-    varied.tensile[i] = scaled(varied.tensile[i], made.locking[i].factor);
+    const double factor = made.locking[i].factor;  // of both, so that the loop keeps its shape
+    varied.tensile[i] = scaled(varied.tensile[i], factor, factor);
   }
   made.material = make_cloth_material(varied);
   if (variant == DrapeVariant::kNoTwist) made.material.twist_stiffness = 0.0;
