@@ -130,6 +130,14 @@ ClothPicture engine_scene_picture(const EngineScene& scene, const ClothState& st
     picture.boxes.push_back(box);
     lowest = std::min(lowest, block.low.z());
   }
+  for (const SceneColumn& column : scene.view.columns) {
+    CylinderItem cylinder;
+    cylinder.top = column.top;
+    cylinder.radius = column.radius;
+    cylinder.height = column.height;
+    picture.cylinders.push_back(cylinder);
+    lowest = std::min(lowest, column.top.z() - column.height);
+  }
   for (const Vec3& x : state.positions) lowest = std::min(lowest, x.z() - 0.02 * size);
   add_pegs(scene, state, size, picture);
   add_hands(hands, size, picture);
