@@ -12,10 +12,8 @@ shift
 export config=$top/.clang-tidy
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-# The database names g++; its warning flags that clang does not know are taken out, and precompiled headers,
-# which only g++ can read.
-clean='s/-Wduplicated-cond//g; s/-Wlogical-op//g; s/-Wno-restrict//g; s/-Werror//g; s/-Winvalid-pch//g'
-clean="$clean; s/-include [^ ]*cmake_pch[^ ]*//g"
+# The database names g++; its warning flags that clang does not know are taken out.
+clean='s/-Wduplicated-cond//g; s/-Wlogical-op//g; s/-Wno-restrict//g; s/-Werror//g'
 sed -e "$clean" "$build/compile_commands.json" > "$work/compile_commands.json"
 
 # Prints the complaints about a file; fails when there are any. Usage: complaints DATABASE_FOLDER FILE

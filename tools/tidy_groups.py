@@ -12,38 +12,9 @@ import re
 import shlex
 import sys
 
+from source_groups import grouped, own_names, public_names
+
 MOST = 24  # files of a unit: more pay little, and a unit is what one core works on
-OWN = re.compile(r"^namespace \{\n(.*?)^\}  // namespace$", re.M | re.S)
-CONSTANTS = re.compile(r"\b(k[A-Z]\w*)\s*[={\[]")
-TYPES = re.compile(r"^(?:class|struct|enum class|enum|using|union) (\w+)", re.M)
-FUNCTIONS = re.compile(
-    r"^(?!class|struct|enum|using|namespace|template|return)[A-Za-z_][\w:<>&*,\[\] ]*[ &*](\w+)\(", re.M)
-
-
-def own_names(path):
-    """What a file declares for itself, at the left margin of its unnamed namespaces."""
-    text = "\n".join(OWN.findall(path.read_text(encoding="utf-8")))
-    return set(CONSTANTS.findall(text) + TYPES.findall(text) + FUNCTIONS.findall(text))
-
-
-def public_names(folder):
-    """Types and constants of all headers: with its own of that name a file reads only what it includes itself."""
-    texts = [path.read_text(encoding="utf-8") for path in sorted(folder.rglob("*.h"))]
-    return {name for text in texts for name in CONSTANTS.findall(text) + TYPES.findall(text)}
-
-
-def grouped(files):
-    """Each file goes into the first group that knows none of its names."""
-    groups = []
-    for file in files:
-        names = own_names(file)
-        group = next((g for g in groups if len(g[0]) < MOST and not g[1] & names), None)
-        if group is None:
-            group = ([], set())
-            groups.append(group)
-        group[0].append(file)
-        group[1].update(names)
-    return [files for files, _ in groups]
 
 
 def unused_usings(path):
@@ -81,7 +52,7 @@ def main():
     public = public_names(pathlib.Path(__file__).resolve().parents[1] / "src")
     # What this configuration does not build stands in for files that it does.
     alone = [f for f in files if str(f) not in entries or own_names(f) & public]
-    groups = grouped([f for f in files if f not in alone]) + [[f] for f in alone]
+    groups = grouped([f for f in files if f not in alone], MOST) + [[f] for f in alone]
     for number, group in enumerate(groups):
         place = folder / f"unit{number:03}"
         place.mkdir()

@@ -9,15 +9,10 @@
 #include "commands.h"
 #include "fabric_text.h"
 #include "fuai/core/error.h"
-#include "fuai/fabric/fab_report.h"
-#include "fuai/fabric/from_curves.h"
 #include "fuai/fabric/laws.h"
-#include "fuai/io/curve_csv.h"
 #include "fuai/io/fabric_fields.h"
 #include "fuai/io/fabric_file.h"
-#include "fuai/io/kes_sheet.h"
-#include "fuai/io/text_file.h"
-#include "fuai/io/u3m.h"
+#include "fuai/io/fabric_import.h"
 #include "fuai/units/parse.h"
 
 namespace fuai_app {
@@ -34,34 +29,6 @@ struct ImportOptions {
   std::string test;       ///< for curve files without a fuai-curve line
   std::string direction;  ///< the same
 };
-
-/// What a file to import is, by its name and first bytes.
-enum class FileKind { kPhysicsJson, kFabricFile, kCurve, kSheet };
-
-const char* to_string(FileKind kind) {
-  switch (kind) {
-    case FileKind::kPhysicsJson:
-      return "U3M/FAB physics JSON";
-    case FileKind::kFabricFile:
-      return "a fabric file";
-    case FileKind::kCurve:
-      return "a curve file";
-    case FileKind::kSheet:
-      return "a KES sheet";
-  }
-  return "";
-}
-
-FileKind kind_of(const std::string& path, const std::string& text, bool told_to_be_curve) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first != std::string::npos && (text[first] == '{' || text[first] == '[') && !path.ends_with(".toml")) {
-    return FileKind::kPhysicsJson;
-  }
-  if (path.ends_with(".toml")) return FileKind::kFabricFile;
-  if (told_to_be_curve || text.substr(0, 200).find("fuai-curve/") != std::string::npos)
-    return FileKind::kCurve;
-  return FileKind::kSheet;
-}
 
 CurveCsvOptions curve_options(const ImportOptions& options) {
   CurveCsvOptions result;
@@ -82,22 +49,6 @@ CurveCsvOptions curve_options(const ImportOptions& options) {
              "--direction", "use warp, weft or bias");
   }
   return result;
-}
-
-/// The fabric of a set of curve files: mass and thickness come from the options.
-Fabric fabric_of_curves(const ImportOptions& options) {
-  Fabric fabric;
-  fabric.name = fabric_id_of(options.output);
-  if (options.mass.empty()) {
-    throw Error(ErrorKind::kUsage, "curve files do not say what the fabric weighs", {},
-                "add --mass, e.g. --mass '16.3 mg/cm2'");
-  }
-  for (const std::string& file : options.files) {
-    MeasuredCurve curve = read_curve_csv(file, curve_options(options));
-    for (const std::string& warning : curve_warnings(curve)) fabric.warnings.push_back(warning);
-    add_measured_curve(fabric, {std::move(curve), {ProvenanceKind::kMeasured, "curve file " + file, ""}});
-  }
-  return fabric;
 }
 
 /// A value given as an option; one that no cloth can have is wrong usage.
@@ -139,24 +90,15 @@ void print_summary(const Console& console, Fabric& fabric, const FabricLaws& law
 }
 
 /// All fabrics of the named files; exactly one unless there is one sheet.
-/// @param fits filled with a line about each fit of a physics file
-std::vector<Fabric> read_all(const Console& console, const ImportOptions& options,
-                             std::vector<std::string>& fits) {
-  const bool told = !options.test.empty();
-  const std::string& first = options.files.front();
-  const FileKind kind = kind_of(first, read_text_file(first), told);
-  console.detail("reading " + first + " as " + to_string(kind));
-  if (kind == FileKind::kCurve) return {fabric_of_curves(options)};
-  if (options.files.size() > 1) {
-    throw Error(ErrorKind::kUsage, "several files make one fabric only when all of them are curve files", {},
-                "import '" + first + "' on its own");
-  }
-  if (kind == FileKind::kFabricFile) return {read_fabric_file(first)};
-  if (kind == FileKind::kSheet) return read_kes_sheet(first);
-  FabFitReport report;
-  Fabric fabric = make_fabric_from_fab(read_u3m_physics(first), &report);
-  fits = describe(report);
-  return {std::move(fabric)};
+ImportedFabrics read_all(const Console& console, const ImportOptions& options) {
+  FabricImport import;
+  import.files = options.files;
+  import.curves = curve_options(options);
+  import.name = fabric_id_of(options.output);
+  import.has_mass = !options.mass.empty();
+  ImportedFabrics read = import_fabrics(import);
+  console.detail("read " + options.files.front() + " as " + read.kind);
+  return read;
 }
 
 /// File name of a fabric: lower case letters, digits and hyphens.
@@ -241,8 +183,9 @@ void make_folder(const std::string& folder) {
 
 int run_import(const Console& console, const ImportOptions& options) {
   // 1. Everything that can be wrong with the measurements, before anything is written.
-  std::vector<std::string> fits;
-  std::vector<Target> targets = targets_of(read_all(console, options, fits), options);
+  ImportedFabrics read = read_all(console, options);
+  const std::vector<std::string> fits = std::move(read.fits);
+  std::vector<Target> targets = targets_of(std::move(read.fabrics), options);
   std::vector<FabricLaws> laws;
   for (const Target& target : targets) {
     check_inputs_survive(target, options.files);

@@ -25,5 +25,6 @@ void declare_report(const Command& parent);
 void declare_scenes(const Command& parent);
 void declare_show(const Command& parent);
 void declare_simulate(const Command& parent);
+void declare_view(const Command& parent);
 
 }  // namespace fuai_app

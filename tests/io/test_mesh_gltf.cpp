@@ -74,10 +74,9 @@ TEST_SUITE("unit") {
   TEST_CASE("chunks, counts, bounds and alignment are those of the specification") {
     const SurfaceMesh mesh = bump();
     for (const char* name : {"wool", "wool ", "wool 1", "wool 12"}) {  // every length of the padding
-      GltfLabel label;
-      label.fabric = name;
-      label.generator = "fuai test";
-      const Glb glb = parse(mesh_glb(mesh, label));
+      GltfOptions options;
+      options.generator = "fuai test";
+      const Glb glb = parse(mesh_glb(mesh, name, options));
       CHECK(glb.json["asset"]["version"] == "2.0");
       CHECK(glb.json["asset"]["generator"] == "fuai test");
       CHECK(glb.json["buffers"][0]["byteLength"].get<std::size_t>() <= glb.binary.size());
@@ -92,11 +91,10 @@ TEST_SUITE("unit") {
 
   TEST_CASE("the numbers are the mesh's") {
     const SurfaceMesh mesh = bump();
-    GltfLabel label;
-    label.fabric = "絹 \"silk\"";
-    const Glb glb = parse(mesh_glb(mesh, label));
+    const std::string fabric = "絹 \"silk\"";
+    const Glb glb = parse(mesh_glb(mesh, fabric));
     const Json& primitive = glb.json["meshes"][0]["primitives"][0];
-    CHECK(glb.json["meshes"][0]["name"] == label.fabric);
+    CHECK(glb.json["meshes"][0]["name"] == fabric);
     const Json& attributes = primitive["attributes"];
     const auto at = attributes["POSITION"].get<std::size_t>();
     const std::vector<float> positions = numbers<float>(glb, at);
@@ -138,12 +136,12 @@ TEST_SUITE("unit") {
   TEST_CASE("what is no mesh is refused") {
     SurfaceMesh mesh = bump();
     mesh.positions[3].z() = std::numeric_limits<double>::infinity();
-    CHECK_THROWS_AS(mesh_glb(mesh, {}), Error);
+    CHECK_THROWS_AS(mesh_glb(mesh, "wool"), Error);
     mesh = bump();
     mesh.material.pop_back();
-    CHECK_THROWS_AS(mesh_glb(mesh, {}), Error);
+    CHECK_THROWS_AS(mesh_glb(mesh, "wool"), Error);
     mesh = bump();
     mesh.triangles.clear();
-    CHECK_THROWS_AS(mesh_glb(mesh, {}), Error);
+    CHECK_THROWS_AS(mesh_glb(mesh, "wool"), Error);
   }
 }

@@ -30,10 +30,13 @@ std::string force_label(double force) {
   return text;
 }
 
-void add_pegs(const EngineScene& scene, const ClothState& state, double size, ClothPicture& picture) {
+double size_of(const EngineScene& scene) { return (scene.view.high - scene.view.low).maxCoeff(); }
+
+/// @param positions of the slots [m]
+void add_pegs(const EngineScene& scene, std::span<const Vec3> positions, double size, ClothPicture& picture) {
   std::vector<Vec3> held;
-  for (std::size_t slot = 0; slot < state.positions.size(); ++slot)
-    if (scene.model.fixed[slot] != 0) held.push_back(state.positions[slot]);
+  for (std::size_t slot = 0; slot < positions.size(); ++slot)
+    if (scene.model.fixed[slot] != 0) held.push_back(positions[slot]);
   if (held.size() > kMostPegs) return;
   for (const Vec3& x : held) {
     CylinderItem peg;
@@ -42,21 +45,6 @@ void add_pegs(const EngineScene& scene, const ClothState& state, double size, Cl
     peg.top = x + 0.5 * peg.height * Vec3::UnitZ();
     peg.colour = {0.35, 0.35, 0.38, 1.0};
     picture.cylinders.push_back(peg);
-  }
-}
-
-void add_hands(std::span<const GraspReading> hands, double size, ClothPicture& picture) {
-  for (const GraspReading& hand : hands) {
-    const double force = hand.force.norm();
-    const double share = std::log(force / kLeastForce) / std::log(kMostForce / kLeastForce);
-    if (!hand.holds || !(share > 0.0)) continue;
-    ArrowItem arrow;
-    arrow.origin = hand.centre;
-    // The pull of the hand, against what it feels: this way the arrow leaves the cloth and is seen.
-    arrow.vector = -hand.force / force * (kArrowPart * size * std::min(share, 1.0));
-    arrow.radius = 0.006 * size;
-    arrow.label = force_label(force);
-    picture.arrows.push_back(arrow);
   }
 }
 
@@ -114,15 +102,31 @@ ClothPicture scene_picture(std::string_view scene, SurfaceMesh mesh, const std::
   return paper_bending_picture(std::move(mesh), {}, caption, aspect);
 }
 
-ClothPicture engine_scene_picture(const EngineScene& scene, const ClothState& state,
-                                  std::span<const GraspReading> hands, const std::string& caption,
-                                  double aspect) {
+double force_share(double force) noexcept {
+  const double share = std::log(force / kLeastForce) / std::log(kMostForce / kLeastForce);
+  return share > 0.0 ? std::min(share, 1.0) : 0.0;
+}
+
+void add_pull_arrows(const EngineScene& scene, std::span<const GraspReading> hands, ClothPicture& picture) {
+  const double size = size_of(scene);
+  for (const GraspReading& hand : hands) {
+    const double force = hand.force.norm();
+    const double share = force_share(force);
+    if (!hand.holds || share == 0.0) continue;
+    ArrowItem arrow;
+    arrow.origin = hand.centre;
+    // The pull of the hand, against what it feels: this way the arrow leaves the cloth and is seen.
+    arrow.vector = -hand.force / force * (kArrowPart * size * share);
+    arrow.radius = 0.006 * size;
+    arrow.label = force_label(force);
+    picture.arrows.push_back(arrow);
+  }
+}
+
+ClothPicture scene_stage_picture(const EngineScene& scene, std::span<const Vec3> positions) {
   ClothPicture picture;
-  Bounds bounds;
-  bounds.include(scene.view.low);
-  bounds.include(scene.view.high);
-  const double size = (bounds.high - bounds.low).maxCoeff();
-  double lowest = bounds.low.z();
+  const double size = size_of(scene);
+  double lowest = scene.view.low.z();
   for (const SceneBlock& block : scene.view.blocks) {
     BoxItem box;
     box.low = block.low;
@@ -138,15 +142,26 @@ ClothPicture engine_scene_picture(const EngineScene& scene, const ClothState& st
     picture.cylinders.push_back(cylinder);
     lowest = std::min(lowest, column.top.z() - column.height);
   }
-  for (const Vec3& x : state.positions) lowest = std::min(lowest, x.z() - 0.02 * size);
-  add_pegs(scene, state, size, picture);
-  add_hands(hands, size, picture);
+  for (const Vec3& x : positions) lowest = std::min(lowest, x.z() - 0.02 * size);
+  add_pegs(scene, positions, size, picture);
+  picture.ground.height = lowest;
+  return picture;
+}
+
+ClothPicture engine_scene_picture(const EngineScene& scene, const ClothState& state,
+                                  std::span<const GraspReading> hands, const std::string& caption,
+                                  double aspect) {
+  ClothPicture picture = scene_stage_picture(scene, state.positions);
+  Bounds bounds;
+  bounds.include(scene.view.low);
+  bounds.include(scene.view.high);
+  const double size = size_of(scene);
+  add_pull_arrows(scene, hands, picture);
   for (const ArrowItem& arrow : picture.arrows) {
     const Vec3 tip = arrow.origin + arrow.vector;
     bounds.include(tip);
-    lowest = std::min(lowest, tip.z() - 0.03 * size);
+    picture.ground.height = std::min(picture.ground.height, tip.z() - 0.03 * size);
   }
-  picture.ground.height = lowest;
   picture.camera = frame_camera(bounds, scene.view.azimuth, scene.view.elevation, aspect);
   picture.caption = caption;
   ClothItem cloth;

@@ -39,4 +39,17 @@ ClothPicture engine_scene_picture(const EngineScene& scene, const ClothState& st
                                   std::span<const GraspReading> hands, const std::string& caption,
                                   double aspect);
 
+/// What stands about the cloth of a scene of the engine: tables, rails, pegs, and a ground below it all; no
+/// cloth, no camera.
+/// @param positions of the cloth now [m]
+ClothPicture scene_stage_picture(const EngineScene& scene, std::span<const Vec3> positions);
+
+/// The pull of each hand, against what it feels, as an arrow from where it holds, with its newtons.
+/// @param hands readings of the hands that hold; others are left out. Thread class: set-up.
+void add_pull_arrows(const EngineScene& scene, std::span<const GraspReading> hands, ClothPicture& picture);
+
+/// Forces of cloth go from a tenth of a millinewton to ten newtons: how long an arrow is, from 0 to 1, grows
+/// with the logarithm. @param force [N]. Thread class: any.
+double force_share(double force) noexcept;
+
 }  // namespace fuai

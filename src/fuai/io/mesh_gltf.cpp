@@ -80,7 +80,8 @@ std::size_t add_triangles(const SurfaceMesh& mesh, Buffer& buffer) {
   return buffer.describe(begin, kElementBuffer, kUnsignedInt, "SCALAR", 3 * mesh.triangles.size());
 }
 
-Json describe(const SurfaceMesh& mesh, const GltfLabel& label, Buffer& buffer) {
+Json describe(const SurfaceMesh& mesh, const std::string& fabric, const GltfOptions& options,
+              Buffer& buffer) {
   const std::size_t positions = buffer.add(mesh.positions, "VEC3");
   buffer.accessors[positions]["min"] = bound(mesh.positions, false);
   buffer.accessors[positions]["max"] = bound(mesh.positions, true);
@@ -91,13 +92,12 @@ Json describe(const SurfaceMesh& mesh, const GltfLabel& label, Buffer& buffer) {
   const std::size_t indices = add_triangles(mesh, buffer);
   const double half = std::numbers::sqrt2 / 2.0;  // a quarter turn about x: z up becomes y up
   Json document;
-  document["asset"] = {{"version", "2.0"}, {"generator", label.generator}};
+  document["asset"] = {{"version", "2.0"}, {"generator", options.generator}};
   document["scene"] = 0;
   document["scenes"] = Json::array({{{"nodes", {0}}}});
-  document["nodes"] =
-      Json::array({{{"mesh", 0}, {"name", label.fabric}, {"rotation", {-half, 0.0, 0.0, half}}}});
+  document["nodes"] = Json::array({{{"mesh", 0}, {"name", fabric}, {"rotation", {-half, 0.0, 0.0, half}}}});
   document["meshes"] = Json::array(
-      {{{"name", label.fabric},
+      {{{"name", fabric},
         {"primitives",
          Json::array(
              {{{"attributes", {{"POSITION", positions}, {"NORMAL", normals}, {"TEXCOORD_0", coordinates}}},
@@ -105,16 +105,16 @@ Json describe(const SurfaceMesh& mesh, const GltfLabel& label, Buffer& buffer) {
                {"material", 0},
                {"mode", 4}}})},
         {"extras",
-         {{"fabric", label.fabric},
+         {{"fabric", fabric},
           {"position_unit", "m"},
           {"texture_coordinates", "u = weft, v = -warp"},
           {"texture_unit", "m"},
           {"face", "counter-clockwise"}}}}});
   document["materials"] = Json::array(
-      {{{"name", label.fabric},
+      {{{"name", fabric},
         {"doubleSided", true},
         {"pbrMetallicRoughness",
-         {{"baseColorFactor", label.colour}, {"metallicFactor", 0.0}, {"roughnessFactor", 0.9}}}}});
+         {{"baseColorFactor", options.colour}, {"metallicFactor", 0.0}, {"roughnessFactor", 0.9}}}}});
   document["buffers"] = Json::array({{{"byteLength", buffer.bytes.size()}}});
   document["bufferViews"] = buffer.views;
   document["accessors"] = buffer.accessors;
@@ -131,10 +131,11 @@ void put_chunk(std::string& file, std::uint32_t kind, const std::string& content
 
 }  // namespace
 
-std::string mesh_glb(const SurfaceMesh& mesh, const GltfLabel& label) {
+std::string mesh_glb(const SurfaceMesh& mesh, const std::string& fabric, const GltfOptions& options) {
   check(mesh);
   Buffer buffer;
-  const std::string json = describe(mesh, label, buffer).dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string json =
+      describe(mesh, fabric, options, buffer).dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string chunks;
   put_chunk(chunks, kJsonChunk, json, ' ');
   put_chunk(chunks, kBinChunk, buffer.bytes, '\0');

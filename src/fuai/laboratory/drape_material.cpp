@@ -60,8 +60,8 @@ DrapeMaterial make_drape_material(const FabricLaws& laws, double spacing, bool e
   DrapeMaterial made;
   for (std::size_t i = 0; i < 2; ++i) {
     made.locking[i] = locking_of(varied.tensile[i], varied.bending[i], laws.areal_mass, spacing);
-    const double factor = made.locking[i].factor;  // of both, so that the loop keeps its shape
-    varied.tensile[i] = scaled(varied.tensile[i], factor, factor);
+    // Elastic curve and friction alike, so that the loop keeps its shape.
+    varied.tensile[i] = scaled(varied.tensile[i], made.locking[i].factor, made.locking[i].factor);
   }
   made.material = make_cloth_material(varied);
   if (variant == DrapeVariant::kNoTwist) made.material.twist_stiffness = 0.0;

@@ -3,8 +3,11 @@
 #include "fuai/picture/image.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "fuai/core/error.h"
+#include "fuai/picture/colour_map.h"
 
 namespace fuai {
 
@@ -15,6 +18,19 @@ void check_image_size(int width, int height) {
         ErrorKind::kUsage,
         "a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels cannot be made",
         {}, "choose a width and a height from 16 to 16384");
+}
+
+void make_alpha_straight(Image& image) {
+  std::array<double, 256> linear{};
+  for (std::size_t i = 0; i < linear.size(); ++i) linear[i] = srgb_to_linear(static_cast<double>(i) / 255.0);
+  for (std::size_t i = 0; i + 3 < image.pixels.size(); i += 4) {
+    const std::uint8_t alpha = image.pixels[i + 3];
+    if (alpha == 0 || alpha == 255) continue;
+    for (std::size_t k = i; k < i + 3; ++k) {
+      const double straight = std::min(1.0, linear[image.pixels[k]] * 255.0 / alpha);
+      image.pixels[k] = static_cast<std::uint8_t>(std::lround(255.0 * linear_to_srgb(straight)));
+    }
+  }
 }
 
 Image tile_images(const std::vector<Image>& images, int columns) {

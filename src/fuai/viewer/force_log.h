@@ -20,7 +20,7 @@ class ForceLog {
 
   /// Adds a row for every hand that holds, of the user and of the scene; a snapshot that was written already
   /// is left out. @param fabrics names by cloth. @throws Error (kBadInput) as GrowingFile::add().
-  void write(const ViewSnapshot& snapshot, const std::vector<std::string>& fabrics);
+  void write(const ViewSnapshot& snapshot, const std::vector<std::string>& fabrics = {});
 
  private:
   GrowingFile file_;

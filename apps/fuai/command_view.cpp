@@ -1,0 +1,131 @@
+// `fuai view`.
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands.h"
+#include "fuai/core/error.h"
+#include "fuai/core/hash.h"
+#include "fuai/window/viewer.h"
+#include "scene_options.h"
+
+namespace fuai_app {
+
+using namespace fuai;
+
+namespace {
+
+struct ViewOptions {
+  std::vector<std::string> fabrics;
+  std::string scene = "hanging_sheet";
+  int size = 0;         ///< nodes a side; 0: the scene's own
+  std::string spacing;  ///< with unit; empty: the scene's own
+  std::string seconds;  ///< with unit; empty: until it is closed
+  std::string screenshot, record, folder = ".";
+  std::string language, theme, units, heat_map;
+  int width = 1280, height = 720;
+  bool headless = false, moves = false, bare = false;
+};
+
+/// The first bundled fabric that a newcomer sees: measured in bending and tension, of middling weight.
+constexpr const char* kFirstFabric = "cupro-woven-su1098";
+
+ViewSettings settings_of(const ViewOptions& options) {
+  ViewSettings settings;
+  if (options.language == "ja") settings.language = Language::kJapanese;
+  settings.dark = options.theme != "light";
+  if (options.units == "si") settings.units = UnitSystem::kSi;
+  if (options.bare) settings.fabric_panel = settings.plots = false;
+  if (options.heat_map.empty()) return settings;
+  for (const ViewQuantity& quantity : view_quantities()) {
+    std::string name = ui_text(quantity.name, Language::kEnglish);
+    for (char& c : name)
+      if (c == ' ') c = '-';
+    if (name == options.heat_map) settings.heat_map = static_cast<int>(quantity.field);
+  }
+  if (settings.heat_map < 0) {
+    std::string names;
+    for (const ViewQuantity& quantity : view_quantities()) {
+      std::string name = ui_text(quantity.name, Language::kEnglish);
+      for (char& c : name)
+        if (c == ' ') c = '-';
+      names += (names.empty() ? "" : ", ") + name;
+    }
+    throw Error(ErrorKind::kUsage, "--heat-map: '" + options.heat_map + "' is not known", {},
+                "use one of " + names);
+  }
+  return settings;
+}
+
+int run_view(const Console& console, const ViewOptions& options) {
+  named_scene(options.scene);
+  ViewerOptions viewer;
+  viewer.scene = options.scene;
+  viewer.fabrics = options.fabrics.empty() ? std::vector<std::string>{kFirstFabric} : options.fabrics;
+  viewer.size = scene_options(options.size, options.spacing);
+  viewer.settings = settings_of(options);
+  viewer.width = options.width;
+  viewer.height = options.height;
+  viewer.window = !options.headless;
+  viewer.scene_moves = options.moves;
+  if (!options.seconds.empty()) viewer.seconds = time_value(options.seconds, "--seconds", true);
+  viewer.screenshot = options.screenshot;
+  viewer.record = options.record;
+  viewer.folder = options.folder;
+  viewer.version = program_version();
+  viewer.say = [&console](const std::string& text) { console.warn(text); };
+  if (options.headless && options.seconds.empty()) {
+    throw Error(ErrorKind::kUsage, "without a window there is nobody to close it", {},
+                "add --seconds, e.g. --seconds 2s --screenshot cloth.png");
+  }
+  if (!options.headless && !has_display()) {
+    throw Error(ErrorKind::kNoDevice, "there is no display", {},
+                "set DISPLAY, or add --headless --seconds 2s --screenshot cloth.png");
+  }
+  const ViewerResult result = run_viewer(viewer);
+  JsonValue json;
+  json.set("seconds", result.seconds)
+      .set("pictures", result.pictures)
+      .set("picture_ms", result.picture_ms)
+      .set("paint_ms", result.paint_ms)
+      .set("renderer", result.renderer)
+      .set("state_hash", hash_text(result.state_hash));
+  if (!options.screenshot.empty()) {
+    json.set("file", options.screenshot);
+    console.say("wrote " + options.screenshot);
+  }
+  console.result(json);
+  return 0;
+}
+
+}  // namespace
+
+void declare_view(const Command& parent) {
+  const auto options = std::make_shared<ViewOptions>();
+  constexpr int kLeastPixels = 320, kMostPixels = 8192;
+  const Command command =
+      parent.command("view", "The viewer: grab cloth, see newtons, compare one to four fabrics");
+  command.option("FABRIC", options->fabrics, "Bundled names or paths; default: " + std::string(kFirstFabric));
+  command.option("--scene", options->scene, "A name that `fuai scenes` lists");
+  declare_size(command, options->size, options->spacing);
+  command.flag("--moves", options->moves, "The scene's own hands and pins move");
+  command.option("--language", options->language, "en or ja").among({"en", "ja"});
+  command.option("--theme", options->theme, "dark or light").among({"dark", "light"});
+  command.option("--units", options->units, "kes or si").among({"kes", "si"});
+  command.option("--heat-map", options->heat_map, "Show a quantity in colour, e.g. warp-curvature");
+  command.flag("--bare", options->bare, "Without the panels at the sides");
+  command.option("--seconds", options->seconds,
+                 "Simulated time after which it ends, e.g. 2s; default: never");
+  command.option("--screenshot", options->screenshot, "PNG of the window, written at the end").file();
+  command.option("--record", options->record, "Recording of everything that is done").file();
+  command.option("--out", options->folder, "Folder of pictures, videos and logs that are made by keys");
+  command.option("--width", options->width, "Pixels").range(kLeastPixels, kMostPixels);
+  command.option("--height", options->height, "Pixels").range(kLeastPixels, kMostPixels);
+  command.flag("--headless", options->headless, "Without a window, for scripts");
+  command.examples({"fuai view", "fuai view wool-tropical graded-10 --scene corner_drape",
+                    "fuai view cupro-woven-su1098 --headless --seconds 2s --screenshot cloth.png"});
+  command.body([options](const Console& console) { return run_view(console, *options); });
+}
+
+}  // namespace fuai_app

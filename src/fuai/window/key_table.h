@@ -1,0 +1,59 @@
+// Every key and button of the window: one table, for the window itself, its help and the manual.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "fuai/window/ui_text.h"
+
+namespace fuai {
+
+/// What a key does.
+enum class KeyAction : std::uint8_t {
+  kNone,  ///< a row of the table about the mouse
+  kPlay,
+  kStep,
+  kStepBack,
+  kReset,
+  kFaster,
+  kSlower,
+  kReleaseAll,
+  kHeatMap,
+  kArrows,
+  kWeave,
+  kGround,
+  kCompare,
+  kUnits,
+  kLanguage,
+  kTheme,
+  kFrame,
+  kHelp,
+  kInfo,
+  kPlots,
+  kFullScreen,
+  kScreenshot,
+  kVideo,
+  kRecord,
+  kUndo,
+  kRedo,
+  kSave,
+  kOpen,
+  kQuit,
+};
+
+/// A row.
+struct KeyRow {
+  KeyAction action;
+  int key;  ///< as GLFW numbers them; 0: no key
+  bool control, shift;
+  const char* label;  ///< as the help writes it: "Ctrl+Z"
+  TextId what;
+};
+
+/// All rows in the order of the help; the mouse first. Thread class: any.
+std::span<const KeyRow> key_table();
+
+/// "Ctrl+Z", or "" for an action without a key. Thread class: any.
+const char* key_label(KeyAction action);
+
+}  // namespace fuai

@@ -1,0 +1,56 @@
+// Where panels and cloths lie.
+// SPDX-License-Identifier: Apache-2.0
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fuai/window/viewer_state.h"
+
+namespace fuai {
+
+ViewLayout lay_out(const ViewerState& state) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const float unit = ImGui::GetFontSize();
+  const float top = ImGui::GetFrameHeight(), bottom = 4.6F * unit;
+  const float left = state.settings.fabric_panel ? std::min(21.0F * unit, 0.3F * size.x) : 0.0F;
+  const float right = state.settings.plots ? std::min(23.0F * unit, 0.3F * size.x) : 0.0F;
+  const float height = std::max(size.y - top - bottom, 1.0F);
+  ViewLayout layout;
+  layout.fabric = {0.0F, top, left, height};
+  layout.plots = {size.x - right, top, right, height};
+  layout.time = {0.0F, size.y - bottom, size.x, bottom};
+  layout.view = {left, top, std::max(size.x - left - right, 1.0F), height};
+  return layout;
+}
+
+std::vector<ScreenTile> make_tiles(const ViewBox& box, std::size_t count) {
+  const auto n = static_cast<int>(std::max<std::size_t>(count, 1));
+  // As many columns as make the tiles least elongated.
+  int columns = 1;
+  double best = 1e9;
+  for (int c = 1; c <= n; ++c) {
+    const int rows = (n + c - 1) / c;
+    const double aspect = (static_cast<double>(box.width) / c) / (static_cast<double>(box.height) / rows);
+    const double badness = std::abs(std::log(aspect)) + 0.3 * (rows * c - n);
+    if (badness < best) {
+      best = badness;
+      columns = c;
+    }
+  }
+  const int rows = (n + columns - 1) / columns;
+  const int width = std::max(static_cast<int>(box.width) / columns, 16);
+  const int height = std::max(static_cast<int>(box.height) / rows, 16);
+  std::vector<ScreenTile> tiles;
+  for (int i = 0; i < n; ++i)
+    tiles.push_back({static_cast<int>(box.left) + (i % columns) * width,
+                     static_cast<int>(box.top) + (i / columns) * height, width, height});
+  return tiles;
+}
+
+Vec3 to_screen(const ViewerState& state, const ScreenTile& tile, const Vec3& point) {
+  const Vec3 pixel = project_to_pixel(state.camera.camera(), tile.width, tile.height, point);
+  return {pixel.x() + tile.left, pixel.y() + tile.top, pixel.z()};
+}
+
+}  // namespace fuai

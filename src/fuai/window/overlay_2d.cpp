@@ -1,0 +1,194 @@
+// Lines of grabs, arrows and numbers of forces, colour bar, names, hint and messages over the cloths.
+// SPDX-License-Identifier: Apache-2.0
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "fuai/experiments/scene_pictures.h"
+#include "fuai/picture/plot_axis.h"
+#include "fuai/units/constants.h"
+#include "fuai/window/ui_style.h"
+#include "fuai/window/viewer_state.h"
+#include "fuai/window/viewer_work.h"
+
+namespace fuai {
+namespace {
+
+ImVec2 flat(const Vec3& v) { return {static_cast<float>(v.x()), static_cast<float>(v.y())}; }
+
+/// From thin and pale for a millinewton to thick and red for ten newtons.
+Colour force_colour(double share) {
+  return {0.25 + 0.65 * share, 0.75 - 0.55 * share, 0.95 - 0.75 * share, 1.0};
+}
+
+void write(ImDrawList& list, ImVec2 at, const std::string& text, bool dark, ImU32 colour) {
+  // A halo, readable over cloth of any colour.
+  const ImU32 halo = dark ? IM_COL32(0, 0, 0, 200) : IM_COL32(255, 255, 255, 220);
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx)
+      if (dx != 0 || dy != 0)
+        list.AddText({at.x + static_cast<float>(dx), at.y + static_cast<float>(dy)}, halo, text.c_str());
+  list.AddText(at, colour, text.c_str());
+}
+
+void draw_head(ImDrawList& list, ImVec2 root, ImVec2 tip, float size, ImU32 colour) {
+  const Vec2 way(static_cast<double>(tip.x - root.x), static_cast<double>(tip.y - root.y));
+  if (way.norm() < 1e-3) return;
+  const Vec2 ahead = static_cast<double>(size) * way.normalized(), aside(-0.5 * ahead.y(), 0.5 * ahead.x());
+  const auto point = [&](const Vec2& v) {
+    return ImVec2{tip.x + static_cast<float>(v.x()), tip.y + static_cast<float>(v.y())};
+  };
+  list.AddTriangleFilled(tip, point(aside - ahead), point(-aside - ahead), colour);
+}
+
+struct HandMark {
+  GraspReading reading;
+  Vec3 target = Vec3::Zero();
+  bool pinned = false, user = true;
+};
+
+void draw_hand(const ViewerState& state, ImDrawList& list, const ScreenTile& tile, const HandMark& mark) {
+  const float scale = state.settings.scale;
+  const double force = mark.reading.force.norm(), share = force_share(force);
+  const ImU32 colour = to_ui_colour(force_colour(share));
+  const Vec3 patch = to_screen(state, tile, mark.reading.centre);
+  if (patch.z() <= 0.0) return;
+  const float radius = (mark.pinned ? 4.0F : 6.0F) * scale;
+  if (mark.user) {
+    const Vec3 hand = to_screen(state, tile, mark.target);
+    list.AddLine(flat(patch), flat(hand), colour, (1.5F + 3.0F * static_cast<float>(share)) * scale);
+    list.AddCircleFilled(flat(hand), radius, colour);
+    list.AddCircle(flat(hand), radius, state.settings.dark ? IM_COL32_WHITE : IM_COL32_BLACK);
+  }
+  ImVec2 label = flat(patch);
+  if (state.settings.arrows && share > 0.0) {
+    // The pull of the hand, against what it feels. As long on the screen as the force says, whatever the
+    // zoom.
+    const double reach = 0.25 * std::min(tile.width, tile.height) * share;
+    const Vec3 far = to_screen(
+        state, tile, mark.reading.centre - 0.05 * state.camera.distance() * mark.reading.force.normalized());
+    const Vec2 way = (far - patch).head<2>();
+    const double foreshortening = std::min(1.0, way.norm() / (0.05 * tile.height));
+    const Vec2 tip = patch.head<2>() + (way.norm() > 1e-6 ? Vec2(way.normalized() * reach * foreshortening)
+                                                          : Vec2(Vec2::Zero()));
+    label = {static_cast<float>(tip.x()), static_cast<float>(tip.y())};
+    list.AddLine(flat(patch), label, colour, 3.0F * scale);
+    draw_head(list, flat(patch), label, 10.0F * scale, colour);
+  }
+  if (mark.pinned && force < 1e-3) return;
+  write(list, {label.x + 10.0F * scale, label.y - 8.0F * scale}, force_text(force), state.settings.dark,
+        colour);
+}
+
+void draw_hands(const ViewerState& state, ImDrawList& list, std::size_t cloth) {
+  const ClothView& view = state.snapshot().cloths[cloth];
+  for (std::size_t i = 0; i < kMostViewHands; ++i)
+    if (view.hands[i].holds)
+      draw_hand(state, list, state.tiles[cloth],
+                {view.hands[i], view.targets[i], state.hands.hand(i).pinned, true});
+  for (const GraspReading& reading : view.scene_hands)
+    if (reading.holds) draw_hand(state, list, state.tiles[cloth], {reading, reading.centre, false, false});
+}
+
+void draw_name(const ViewerState& state, ImDrawList& list, std::size_t cloth) {
+  const ViewFabric& fabric = state.document.setup().fabrics[cloth];
+  const ScreenTile& tile = state.tiles[cloth];
+  const float unit = ImGui::GetFontSize();
+  std::string text = fabric.measured.name;
+  if (fabric.changed()) text += std::string(" (") + state.text(TextId::kChanged) + ")";
+  const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
+  const ImVec2 at{static_cast<float>(tile.left) + 0.7F * unit, static_cast<float>(tile.top) + 0.5F * unit};
+  write(list, at, text, state.settings.dark, ink);
+  if (state.snapshot().cloths[cloth].failed_steps > 0)
+    write(list, {at.x, at.y + 1.3F * unit}, state.text(TextId::kBadNumbers), state.settings.dark,
+          IM_COL32(255, 90, 60, 255));
+  if (state.tiles.size() > 1)
+    list.AddRect({static_cast<float>(tile.left), static_cast<float>(tile.top)},
+                 {static_cast<float>(tile.left + tile.width), static_cast<float>(tile.top + tile.height)},
+                 ImGui::GetColorU32(ImGuiCol_Separator));
+}
+
+void draw_colour_bar(const ViewerState& state, ImDrawList& list) {
+  if (state.settings.heat_map < 0 || state.tiles.empty()) return;
+  const ViewQuantity& quantity = view_quantities()[static_cast<std::size_t>(state.settings.heat_map)];
+  const ViewUnit& unit = quantity.unit(state.settings.units);
+  const HeatRange range = heat_range(state);
+  const ScreenTile& tile = state.tiles.back();
+  const float em = ImGui::GetFontSize();
+  const float height = std::min(0.5F * static_cast<float>(tile.height), 16.0F * em), width = 1.1F * em;
+  const float right = static_cast<float>(tile.left + tile.width) - 5.0F * em;
+  const float top = static_cast<float>(tile.top) + 2.6F * em;
+  const ColourMap map = is_signed(quantity.field) ? ColourMap::kDiverging : ColourMap::kSequential;
+  constexpr int kStripes = 64;
+  for (int i = 0; i < kStripes; ++i) {
+    const float y0 = top + height * static_cast<float>(i) / kStripes;
+    list.AddRectFilled({right - width, y0}, {right, y0 + height / kStripes + 1.0F},
+                       to_ui_colour(sample_colour_map(map, 1.0 - (i + 0.5) / kStripes)));
+  }
+  const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
+  const Axis axis = make_axis(range.low / unit.to_si, range.high / unit.to_si, false,
+                              std::max(2, static_cast<int>(height / (2.0F * em))));
+  for (const Tick& tick : axis.ticks) {
+    if (tick.label.empty()) continue;
+    const float y = top + height * (1.0F - static_cast<float>(axis.place(tick.value)));
+    list.AddLine({right, y}, {right + 4.0F, y}, ink);
+    write(list, {right + 7.0F, y - 0.5F * em}, tick.label, state.settings.dark, ink);
+  }
+  std::string title = std::string(state.text(quantity.name)) + " [" + unit.text + "]";
+  if (!axis.factor.empty()) title += " " + axis.factor;
+  const float title_width = ImGui::CalcTextSize(title.c_str()).x;
+  write(list, {static_cast<float>(tile.left + tile.width) - title_width - 0.7F * em, top - 1.6F * em}, title,
+        state.settings.dark, ink);
+}
+
+void draw_notes(const ViewerState& state, ImDrawList& list) {
+  if (state.tiles.empty()) return;
+  const float em = ImGui::GetFontSize();
+  const ViewBox view = lay_out(state).view;
+  const auto centred = [&](const char* text, float y, ImU32 colour) {
+    const ImVec2 size = ImGui::CalcTextSize(text, nullptr, false, view.width - 2.0F * em);
+    const float x = view.left + 0.5F * (view.width - size.x);
+    list.AddRectFilled({x - 0.6F * em, y - 0.3F * em}, {x + size.x + 0.6F * em, y + size.y + 0.3F * em},
+                       ImGui::GetColorU32(ImGuiCol_WindowBg), 4.0F);
+    list.AddText(nullptr, 0.0F, {x, y}, colour, text, nullptr, view.width - 2.0F * em);
+    return size.y + 0.9F * em;
+  };
+  float y = view.top + view.height - 2.2F * em;
+  if (state.hint) y -= centred(state.text(TextId::kHint), y, ImGui::GetColorU32(ImGuiCol_Text));
+  for (auto m = state.messages.rbegin(); m != state.messages.rend(); ++m) {
+    const ImVec2 size = ImGui::CalcTextSize(m->text.c_str(), nullptr, false, view.width - 2.0F * em);
+    const ImU32 colour = m->bad ? IM_COL32(235, 80, 50, 255) : ImGui::GetColorU32(ImGuiCol_Text);
+    y -= centred(m->text.c_str(), y - size.y + em, colour);
+  }
+}
+
+}  // namespace
+
+std::string force_text(double newtons) {
+  char text[64];
+  if (newtons < 1.0)
+    std::snprintf(text, sizeof text, "%.1f mN   %.2f gf", 1e3 * newtons, newtons / unit::kGramForce);
+  else
+    std::snprintf(text, sizeof text, "%.3f N   %.1f gf", newtons, newtons / unit::kGramForce);
+  return text;
+}
+
+void draw_overlay_2d(ViewerState& state) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const ViewSnapshot& snapshot = state.snapshot();
+  for (std::size_t i = 0; i < std::min(state.tiles.size(), snapshot.cloths.size()); ++i) {
+    const ScreenTile& tile = state.tiles[i];
+    list.PushClipRect(
+        {static_cast<float>(tile.left), static_cast<float>(tile.top)},
+        {static_cast<float>(tile.left + tile.width), static_cast<float>(tile.top + tile.height)});
+    draw_hands(state, list, i);
+    draw_name(state, list, i);
+    list.PopClipRect();
+  }
+  draw_colour_bar(state, list);
+  draw_notes(state, list);
+}
+
+}  // namespace fuai

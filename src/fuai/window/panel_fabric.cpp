@@ -1,0 +1,185 @@
+// The fabric panel: which fabric, its numbers with their provenance, and sliders of their factors.
+// SPDX-License-Identifier: Apache-2.0
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "fuai/window/viewer_state.h"
+#include "fuai/window/viewer_work.h"
+
+namespace fuai {
+namespace {
+
+constexpr TextId kFactorNames[] = {TextId::kFactorWeight,      TextId::kFactorWarpBending,
+                                   TextId::kFactorWeftBending, TextId::kFactorBendingFriction,
+                                   TextId::kFactorShear,       TextId::kFactorShearFriction,
+                                   TextId::kFactorWarpTension, TextId::kFactorWeftTension};
+static_assert(std::size(kFactorNames) == kFabricFactorCount);
+
+TextId provenance_text(ProvenanceKind kind) {
+  constexpr TextId kTexts[] = {TextId::kMeasured, TextId::kComputed, TextId::kFitted, TextId::kStatistic,
+                               TextId::kAssumed};
+  return kTexts[static_cast<std::size_t>(kind)];
+}
+
+ImVec4 provenance_colour(ProvenanceKind kind, bool dark) {
+  if (kind == ProvenanceKind::kAssumed || kind == ProvenanceKind::kStatistic)
+    return dark ? ImVec4(0.95F, 0.70F, 0.35F, 1.0F) : ImVec4(0.70F, 0.35F, 0.0F, 1.0F);
+  return dark ? ImVec4(0.55F, 0.85F, 0.65F, 1.0F) : ImVec4(0.0F, 0.45F, 0.20F, 1.0F);
+}
+
+void choose_fabric(ViewerState& state, std::size_t place) {
+  const ViewFabric& fabric = state.document.setup().fabrics[place];
+  ImGui::SetNextItemWidth(-1.0F);
+  if (!ImGui::BeginCombo("##fabric", fabric.measured.name.c_str())) return;
+  std::string chosen;
+  for (const std::string& name : state.fabric_names)
+    if (ImGui::Selectable(name.c_str(), name == fabric.source)) chosen = name;
+  ImGui::EndCombo();
+  if (!chosen.empty() && chosen != fabric.source) set_view_fabric(state, place, chosen);
+}
+
+/// "B warp", with the direction in the language of the window.
+std::string row_name(const ViewerState& state, const FabricNumber& number) {
+  std::string name(number.definition().symbol);
+  const auto ends = [&](const char* text) { return number.section.ends_with(text); };
+  if (ends(".warp")) name += std::string(" ") + state.text(TextId::kWarp);
+  if (ends(".weft")) name += std::string(" ") + state.text(TextId::kWeft);
+  if (ends(".bias")) name += std::string(" ") + state.text(TextId::kBias);
+  return name;
+}
+
+void number_tooltip(const ViewerState& state, const FabricNumber& number) {
+  const KesQuantity& q = number.definition();
+  const std::string_view name = state.settings.language == Language::kJapanese ? q.name_ja : q.name_en;
+  std::string text(name);
+  text += "\n" + std::string(q.definition) + "\n" + state.text(TextId::kSource) + ": " +
+          (number.known.provenance.source.empty() ? state.text(TextId::kUnknown)
+                                                  : number.known.provenance.source);
+  if (!number.condition.empty()) text += "\n" + number.condition;
+  if (!number.known.provenance.quality.empty()) text += "\n" + number.known.provenance.quality;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(30.0F * ImGui::GetFontSize());
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void number_row(const ViewerState& state, const FabricNumber& number) {
+  if (!number.known.has_value()) return;
+  const KesQuantity& q = number.definition();
+  const bool kes = state.settings.units == UnitSystem::kKes;
+  char value[48];
+  std::snprintf(value, sizeof value, "%.4g", kes ? number.in_kes_units() : number.known.value);
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(row_name(state, number).c_str());
+  if (ImGui::IsItemHovered()) number_tooltip(state, number);
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(value);
+  ImGui::SameLine(0.0F, 4.0F);
+  const std::string_view unit = kes ? q.kes_unit : q.si_unit;
+  ImGui::TextDisabled("%.*s", static_cast<int>(unit.size()), unit.data());
+  ImGui::TableNextColumn();
+  const ProvenanceKind kind = number.known.provenance.kind;
+  ImGui::TextColored(provenance_colour(kind, state.settings.dark), "%s", state.text(provenance_text(kind)));
+  if (ImGui::IsItemHovered()) number_tooltip(state, number);
+}
+
+void number_table(ViewerState& state, std::size_t place) {
+  if (ImGui::SmallButton(state.settings.units == UnitSystem::kKes ? "KES" : "SI"))
+    act(state, KeyAction::kUnits);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s (U)", state.text(TextId::kKeyUnits));
+  ImGui::SameLine();
+  ImGui::TextUnformatted(state.text(TextId::kMeasuredValues));
+  const ImGuiTableFlags flags =
+      ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerV;
+  const float sliders = (static_cast<float>(kFabricFactorCount) + 3.2F) * ImGui::GetFrameHeightWithSpacing();
+  const float height = std::max(ImGui::GetContentRegionAvail().y - sliders, 6.0F * ImGui::GetFontSize());
+  if (!ImGui::BeginTable("numbers", 3, flags, {0.0F, height})) return;
+  ImGui::TableSetupColumn("symbol", ImGuiTableColumnFlags_WidthStretch, 0.30F);
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.44F);
+  ImGui::TableSetupColumn("kind", ImGuiTableColumnFlags_WidthStretch, 0.26F);
+  for (const FabricNumber& number : state.numbers[place]) number_row(state, number);
+  ImGui::EndTable();
+}
+
+void sliders(ViewerState& state, std::size_t place) {
+  ImGui::TextUnformatted(state.text(TextId::kFactors));
+  const ViewFabric& fabric = state.document.setup().fabrics[place];
+  for (std::size_t i = 0; i < kFabricFactorCount; ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    auto factor = static_cast<float>(fabric.factors[i]);
+    ImGui::SetNextItemWidth(0.5F * ImGui::GetContentRegionAvail().x);
+    const bool moved =
+        ImGui::SliderFloat(state.text(kFactorNames[i]), &factor, static_cast<float>(kLeastFactor),
+                           static_cast<float>(kMostFactor), "×%.2f", ImGuiSliderFlags_Logarithmic);
+    if (moved && factor > 0.0F) {
+      ViewSetup setup = state.document.setup();
+      setup.fabrics[place].factors[i] = std::clamp(static_cast<double>(factor), kLeastFactor, kMostFactor);
+      state.document.change(std::move(setup), 1 + place * kFabricFactorCount + i);
+    }
+    if (ImGui::IsItemDeactivated()) state.document.end_row();
+    ImGui::PopID();
+  }
+  if (fabric.changed() && ImGui::Button(state.text(TextId::kAsMeasured))) {
+    ViewSetup setup = state.document.setup();
+    setup.fabrics[place].factors.fill(1.0);
+    state.document.change(std::move(setup));
+  }
+}
+
+void fabric_page(ViewerState& state, std::size_t place) {
+  choose_fabric(state, place);
+  const Fabric& measured = state.document.setup().fabrics[place].measured;
+  ImGui::PushTextWrapPos(0.0F);
+  ImGui::TextDisabled("%s", measured.composition.c_str());
+  ImGui::PopTextWrapPos();
+  if (!measured.note.empty() && ImGui::IsItemHovered()) {
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(30.0F * ImGui::GetFontSize());
+    ImGui::TextUnformatted(measured.note.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+  }
+  number_table(state, place);
+  sliders(state, place);
+}
+
+}  // namespace
+
+void draw_fabric_panel(ViewerState& state) {
+  if (!state.settings.fabric_panel) return;
+  const ViewBox box = lay_out(state).fabric;
+  ImGui::SetNextWindowPos({box.left, box.top});
+  ImGui::SetNextWindowSize({box.width, box.height});
+  constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_NoBringToFrontOnFocus;
+  if (ImGui::Begin("fabric", nullptr, kFixed)) {
+    const std::size_t count = state.document.setup().fabrics.size();
+    if (ImGui::BeginTabBar("fabrics")) {
+      for (std::size_t i = 0; i < state.numbers.size(); ++i) {
+        const std::string label = std::string(state.text(TextId::kFabric)) + " " + std::to_string(i + 1) +
+                                  "###fabric" + std::to_string(i);
+        bool open = true;
+        if (ImGui::BeginTabItem(label.c_str(), count > 1 ? &open : nullptr)) {
+          if (i < state.document.setup().fabrics.size()) fabric_page(state, i);
+          ImGui::EndTabItem();
+        }
+        if (!open) {
+          remove_view_fabric(state, i);
+          break;
+        }
+      }
+      if (count < kMostViewFabrics && ImGui::TabItemButton("+")) act(state, KeyAction::kCompare);
+      if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s (C)", state.text(TextId::kKeyCompare));
+      ImGui::EndTabBar();
+    }
+  }
+  ImGui::End();
+}
+
+}  // namespace fuai

@@ -1,0 +1,125 @@
+// The menu bar: scene, fabrics, what is shown, files.
+// SPDX-License-Identifier: Apache-2.0
+#include <imgui.h>
+
+#include <cstdio>
+
+#include "fuai/scenes/catalogue.h"
+#include "fuai/window/viewer_state.h"
+#include "fuai/window/viewer_work.h"
+
+namespace fuai {
+namespace {
+
+void entry(ViewerState& state, KeyAction action, TextId text, bool enabled = true) {
+  if (ImGui::MenuItem(state.text(text), key_label(action), false, enabled)) act(state, action);
+}
+
+void check(ViewerState& state, KeyAction action, TextId text, bool on) {
+  if (ImGui::MenuItem(state.text(text), key_label(action), on)) act(state, action);
+}
+
+void file_menu(ViewerState& state) {
+  if (!ImGui::BeginMenu(state.text(TextId::kFile))) return;
+  entry(state, KeyAction::kOpen, TextId::kKeyOpen);
+  entry(state, KeyAction::kSave, TextId::kKeySave);
+  ImGui::Separator();
+  entry(state, KeyAction::kScreenshot, TextId::kKeyScreenshot);
+  ImGui::Checkbox(state.text(TextId::kTransparent), &state.settings.transparent);
+  ImGui::Checkbox(state.text(TextId::kCaption), &state.settings.caption);
+  check(state, KeyAction::kVideo, TextId::kKeyVideo, state.filming);
+  check(state, KeyAction::kRecord, TextId::kKeyRecord, state.recording);
+  ImGui::Separator();
+  if (ImGui::MenuItem(state.text(TextId::kMesh))) state.wishes.obj = true;
+  if (ImGui::MenuItem(state.text(TextId::kMeshGltf))) state.wishes.gltf = true;
+  if (ImGui::MenuItem(state.text(TextId::kForceLog), nullptr, state.logging)) state.wishes.force_log = true;
+  ImGui::Separator();
+  entry(state, KeyAction::kQuit, TextId::kKeyQuit);
+  ImGui::EndMenu();
+}
+
+void edit_menu(ViewerState& state) {
+  if (!ImGui::BeginMenu(state.text(TextId::kEdit))) return;
+  entry(state, KeyAction::kUndo, TextId::kKeyUndo, state.document.can_undo());
+  entry(state, KeyAction::kRedo, TextId::kKeyRedo, state.document.can_redo());
+  entry(state, KeyAction::kReleaseAll, TextId::kKeyReleaseAll);
+  ImGui::EndMenu();
+}
+
+void view_menu(ViewerState& state) {
+  ViewSettings& s = state.settings;
+  if (!ImGui::BeginMenu(state.text(TextId::kView))) return;
+  check(state, KeyAction::kInfo, TextId::kKeyInfo, s.fabric_panel);
+  check(state, KeyAction::kPlots, TextId::kKeyPlots, s.plots);
+  check(state, KeyAction::kArrows, TextId::kKeyArrows, s.arrows);
+  check(state, KeyAction::kWeave, TextId::kKeyWeave, s.weave);
+  check(state, KeyAction::kGround, TextId::kKeyGround, s.ground);
+  ImGui::Separator();
+  entry(state, KeyAction::kUnits, TextId::kKeyUnits);
+  entry(state, KeyAction::kLanguage, TextId::kKeyLanguage);
+  entry(state, KeyAction::kTheme, TextId::kKeyTheme);
+  entry(state, KeyAction::kFrame, TextId::kKeyFrame);
+  entry(state, KeyAction::kFullScreen, TextId::kKeyFullScreen);
+  ImGui::EndMenu();
+}
+
+void scene_choice(ViewerState& state) {
+  ImGui::SetNextItemWidth(10.0F * ImGui::GetFontSize());
+  const std::string& now = state.document.setup().scene;
+  if (!ImGui::BeginCombo("##scene", now.c_str())) return;
+  std::string chosen;
+  for (const SceneEntry& scene : scene_entries()) {
+    if (scene.kind != SceneKind::kEngine) continue;
+    const std::string name(scene.name);
+    if (ImGui::Selectable(name.c_str(), name == now)) chosen = name;
+    if (ImGui::IsItemHovered())
+      ImGui::SetTooltip("%.*s", static_cast<int>(scene.description.size()), scene.description.data());
+  }
+  ImGui::EndCombo();
+  if (!chosen.empty() && chosen != now) set_view_scene(state, chosen);
+}
+
+void heat_choice(ViewerState& state) {
+  ViewSettings& s = state.settings;
+  const char* now = s.heat_map < 0 ? state.text(TextId::kHeatNone)
+                                   : state.text(view_quantities()[static_cast<std::size_t>(s.heat_map)].name);
+  ImGui::SetNextItemWidth(9.0F * ImGui::GetFontSize());
+  if (ImGui::BeginCombo("##heat", now)) {
+    if (ImGui::Selectable(state.text(TextId::kHeatNone), s.heat_map < 0)) s.heat_map = -1;
+    for (const ViewQuantity& q : view_quantities())
+      if (ImGui::Selectable(state.text(q.name), s.heat_map == static_cast<int>(q.field)))
+        s.heat_map = static_cast<int>(q.field);
+    ImGui::EndCombo();
+  }
+  if (s.heat_map < 0) return;
+  const ViewUnit& unit = view_quantities()[static_cast<std::size_t>(s.heat_map)].unit(s.units);
+  if (ImGui::Checkbox(state.text(TextId::kAutoRange), &s.auto_range) && !s.auto_range)
+    s.range = heat_range(state).high;
+  if (s.auto_range) return;
+  auto range = static_cast<float>(s.range / unit.to_si);
+  ImGui::SetNextItemWidth(6.0F * ImGui::GetFontSize());
+  if (ImGui::InputFloat(unit.text, &range, 0.0F, 0.0F, "%.4g") && range > 0.0F)
+    s.range = static_cast<double>(range) * unit.to_si;
+}
+
+}  // namespace
+
+void draw_menu(ViewerState& state) {
+  if (!ImGui::BeginMainMenuBar()) return;
+  file_menu(state);
+  edit_menu(state);
+  view_menu(state);
+  if (ImGui::MenuItem(state.text(TextId::kHelp), key_label(KeyAction::kHelp))) act(state, KeyAction::kHelp);
+  ImGui::Separator();
+  ImGui::TextUnformatted(state.text(TextId::kScene));
+  scene_choice(state);
+  ImGui::TextUnformatted(state.text(TextId::kHeatMap));
+  heat_choice(state);
+  const char* other =
+      ui_text(TextId::kLanguageName,
+              state.settings.language == Language::kEnglish ? Language::kJapanese : Language::kEnglish);
+  if (ImGui::MenuItem(other, key_label(KeyAction::kLanguage))) act(state, KeyAction::kLanguage);
+  ImGui::EndMainMenuBar();
+}
+
+}  // namespace fuai

@@ -1,0 +1,210 @@
+// The plots: force against time and way, and the live loops of the place that is held over the laws.
+// SPDX-License-Identifier: Apache-2.0
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fuai/experiments/fabric_plot.h"
+#include "fuai/fabric/scalar_laws.h"
+#include "fuai/units/constants.h"
+#include "fuai/window/plot_widget.h"
+#include "fuai/window/viewer_state.h"
+
+namespace fuai {
+namespace {
+
+double force_unit(const ViewerState& state) {
+  return state.settings.units == UnitSystem::kKes ? unit::kGramForce : 1.0;
+}
+
+const char* force_label(const ViewerState& state) {
+  return state.text(state.settings.units == UnitSystem::kKes ? TextId::kForceGram : TextId::kForceNewton);
+}
+
+/// Which of the moments a plot shows: those of the hand that holds now.
+Plot force_plot(const ViewerState& state, bool against_way) {
+  Plot plot;
+  plot.title = state.text(against_way ? TextId::kForceWay : TextId::kForceTime);
+  plot.x_label = state.text(against_way ? TextId::kWayMillimetre : TextId::kTimeSeconds);
+  plot.y_label = force_label(state);
+  const std::size_t count = state.document.setup().fabrics.size();
+  plot.legend = count > 1;
+  for (std::size_t cloth = 0; cloth < count; ++cloth) {
+    Series series;
+    series.colour = static_cast<int>(cloth);
+    if (count > 1) series.label = std::to_string(cloth + 1);
+    for (const ForceMoment& m : state.forces) {
+      if (cloth >= m.forces.size() || (against_way && m.hand < 0)) continue;
+      series.x.push_back(against_way ? m.way / unit::kMillimetre : m.time);
+      series.y.push_back(m.forces[cloth] / force_unit(state));
+    }
+    plot.series.push_back(std::move(series));
+  }
+  return plot;
+}
+
+struct LoopPair {
+  const PlayLaw* law;
+  ClothProbe::Pair ClothProbe::*pair;
+  Direction colour;
+  TextId name;
+};
+
+std::vector<LoopPair> pairs_of(const FabricLaws& laws, LoopKind kind) {
+  switch (kind) {
+    case LoopKind::kBending:
+      return {{laws.bending.data(), &ClothProbe::warp_bending, Direction::kWarp, TextId::kWarp},
+              {&laws.bending[1], &ClothProbe::weft_bending, Direction::kWeft, TextId::kWeft}};
+    case LoopKind::kShear:
+      return {{&laws.shear, &ClothProbe::shear, Direction::kBias, TextId::kShear}};
+    case LoopKind::kTension:
+      break;
+  }
+  return {{laws.tensile.data(), &ClothProbe::warp_tension, Direction::kWarp, TextId::kWarp},
+          {&laws.tensile[1], &ClothProbe::weft_tension, Direction::kWeft, TextId::kWeft}};
+}
+
+/// The steady loop of a law over the range of its instrument; of a tensile law a pull from rest and back.
+SteadyLoop instrument_loop(const PlayLaw& law, LoopKind kind) {
+  constexpr int kSamples = 41;
+  if (kind == LoopKind::kBending) return steady_loop(law, kKesBendingRange, kSamples);
+  if (kind == LoopKind::kShear) return steady_loop(law, kes_shear_range(), kSamples);
+  SteadyLoop loop;
+  PlayState memory;
+  const double end = law.elastic().high();
+  for (int i = 0; i < 2 * kSamples; ++i) {
+    const double share = i < kSamples ? i / (kSamples - 1.0) : (2.0 * kSamples - 1 - i) / (kSamples - 1.0);
+    loop.strain.push_back(share * end);
+    loop.stress.push_back(law.advance(share * end, memory).stress);
+  }
+  return loop;
+}
+
+Plot loop_plot(const ViewerState& state, std::size_t cloth, LoopKind kind) {
+  const LoopAxes axes = loop_axes(kind, state.settings.units);
+  constexpr TextId kTitles[] = {TextId::kBending, TextId::kShear, TextId::kTension};
+  Plot plot;
+  plot.title = state.text(kTitles[static_cast<std::size_t>(kind)]);
+  plot.x_label = state.text(axes.strain);
+  plot.y_label = state.text(axes.stress);
+  plot.legend = kind != LoopKind::kShear;
+  for (const LoopPair& pair : pairs_of(state.laws[cloth], kind)) {
+    const SteadyLoop loop = instrument_loop(*pair.law, kind);
+    Series law;
+    law.style = SeriesStyle::kDashed;
+    law.colour = series_index(pair.colour);
+    for (std::size_t i = 0; i < loop.strain.size(); ++i) {
+      law.x.push_back(loop.strain[i] / axes.strain_to_si);
+      law.y.push_back(loop.stress[i] / axes.stress_to_si);
+    }
+    Series live;
+    live.colour = law.colour;
+    live.line_width = 2.5;
+    live.label = state.text(pair.name);
+    for (const ForceMoment& m : state.forces) {
+      if (!m.probed || cloth >= m.probes.size()) continue;
+      const ClothProbe::Pair& p = m.probes[cloth].*pair.pair;
+      live.x.push_back(p.strain / axes.strain_to_si);
+      live.y.push_back(p.stress / axes.stress_to_si);
+    }
+    if (!live.x.empty()) {  // where it is now
+      Series now;
+      now.style = SeriesStyle::kPoints;
+      now.colour = law.colour;
+      now.x.push_back(live.x.back());
+      now.y.push_back(live.y.back());
+      plot.series.push_back(std::move(now));
+    }
+    plot.series.push_back(std::move(law));
+    plot.series.push_back(std::move(live));
+  }
+  return plot;
+}
+
+}  // namespace
+
+void draw_plots_panel(ViewerState& state) {
+  if (!state.settings.plots) return;
+  const ViewBox box = lay_out(state).plots;
+  ImGui::SetNextWindowPos({box.left, box.top});
+  ImGui::SetNextWindowSize({box.width, box.height});
+  constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_NoBringToFrontOnFocus;
+  if (ImGui::Begin("plots", nullptr, kFixed)) {
+    if (state.comparison) draw_comparison(state);
+    if (state.hands.last() < 0 && state.forces.empty())
+      ImGui::TextWrapped("%s", state.text(TextId::kGrabFirst));
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float height =
+        std::max(ImGui::GetContentRegionAvail().y / 5.0F - 4.0F, 8.5F * ImGui::GetFontSize());
+    const PlotWidget widget{width, height, state.settings.dark};
+    ImGui::PushID("time");
+    draw_plot(force_plot(state, false), widget);
+    ImGui::PopID();
+    ImGui::PushID("way");
+    draw_plot(force_plot(state, true), widget);
+    ImGui::PopID();
+    const std::size_t cloth =
+        state.hands.last() < 0 ? 0 : state.hands.hand(static_cast<std::size_t>(state.hands.last())).cloth;
+    if (cloth < state.laws.size()) {
+      for (const LoopKind kind : {LoopKind::kBending, LoopKind::kShear, LoopKind::kTension}) {
+        ImGui::PushID(static_cast<int>(kind));
+        draw_plot(loop_plot(state, cloth, kind), widget);
+        ImGui::PopID();
+      }
+    }
+  }
+  ImGui::End();
+}
+
+void draw_comparison(ViewerState& state) {
+  const FabricComparison& comparison = *state.comparison;
+  ImGui::TextUnformatted(state.text(TextId::kDifferences));
+  ImGui::SameLine();
+  ImGui::TextDisabled("%s", state.text(TextId::kAgainstFirst));
+  const auto columns = static_cast<int>(comparison.fabrics.size()) + 1;
+  const ImGuiTableFlags flags =
+      ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerV;
+  if (!ImGui::BeginTable("differences", columns, flags, {0.0F, 14.0F * ImGui::GetFontSize()})) return;
+  ImGui::TableSetupScrollFreeze(0, 1);
+  ImGui::TableSetupColumn(state.text(TextId::kQuantity));
+  for (int i = 1; i < columns; ++i) ImGui::TableSetupColumn(std::to_string(i).c_str());
+  ImGui::TableHeadersRow();
+  const bool kes = state.settings.units == UnitSystem::kKes;
+  for (const ComparedNumber& number : comparison.numbers) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    const KesQuantity& q = number.first().definition();
+    std::string name(q.symbol);
+    if (number.first().section.ends_with(".warp")) name += std::string(" ") + state.text(TextId::kWarp);
+    if (number.first().section.ends_with(".weft")) name += std::string(" ") + state.text(TextId::kWeft);
+    if (number.first().section.ends_with(".bias")) name += std::string(" ") + state.text(TextId::kBias);
+    ImGui::TextUnformatted(name.c_str());
+    if (ImGui::IsItemHovered()) {
+      const std::string_view unit = kes ? q.kes_unit : q.si_unit;
+      ImGui::SetTooltip("%.*s", static_cast<int>(unit.size()), unit.data());
+    }
+    for (std::size_t i = 0; i < number.each.size(); ++i) {
+      ImGui::TableNextColumn();
+      const FabricNumber& each = number.each[i];
+      if (!each.known.has_value()) {
+        ImGui::TextDisabled("-");
+        continue;
+      }
+      ImGui::Text("%.3g", kes ? each.in_kes_units() : each.known.value);
+      if (i == 0) continue;
+      if (std::isfinite(number.change[i])) {
+        ImGui::SameLine(0.0F, 4.0F);
+        ImGui::TextDisabled("%+.0f %%", 100.0 * number.change[i]);
+      }
+      if (std::isfinite(number.jnd[i]) && ImGui::IsItemHovered())
+        ImGui::SetTooltip("%+.1f %s", number.jnd[i], state.text(TextId::kJndUnit));
+    }
+  }
+  ImGui::EndTable();
+}
+
+}  // namespace fuai

@@ -1,0 +1,97 @@
+// The bar below: time, the past, and how the machine keeps up.
+// SPDX-License-Identifier: Apache-2.0
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "fuai/window/viewer_state.h"
+
+namespace fuai {
+namespace {
+
+/// Below this part of the speed that is asked for the machine counts as too slow.
+constexpr double kTooSlow = 0.9;
+
+void button(ViewerState& state, KeyAction action, TextId text) {
+  if (ImGui::Button(state.text(text))) act(state, action);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", key_label(action));
+  ImGui::SameLine();
+}
+
+void controls(ViewerState& state) {
+  button(state, KeyAction::kPlay, state.playing ? TextId::kPause : TextId::kPlay);
+  button(state, KeyAction::kStepBack, TextId::kKeyStepBack);
+  button(state, KeyAction::kStep, TextId::kStep);
+  button(state, KeyAction::kReset, TextId::kReset);
+  ImGui::SetNextItemWidth(7.0F * ImGui::GetFontSize());
+  auto speed = static_cast<float>(state.settings.speed);
+  if (ImGui::SliderFloat(state.text(TextId::kSpeed), &speed, 0.1F, 2.0F, "×%.2f",
+                         ImGuiSliderFlags_Logarithmic))
+    state.settings.speed = std::clamp(static_cast<double>(speed), 0.1, 2.0);
+  ImGui::SameLine();
+  bool moves = state.document.setup().scene_moves;
+  if (ImGui::Checkbox(state.text(TextId::kSceneMoves), &moves)) {
+    ViewSetup setup = state.document.setup();
+    setup.scene_moves = moves;
+    state.document.change(std::move(setup));
+  }
+  ImGui::SameLine();
+}
+
+void past(ViewerState& state) {
+  const ViewSnapshot& s = state.snapshot();
+  auto tick = static_cast<float>(static_cast<double>(s.tick) * kViewStep);
+  const auto first = static_cast<float>(static_cast<double>(s.first_tick) * kViewStep);
+  const auto now = static_cast<float>(static_cast<double>(std::max(s.newest_tick, s.tick)) * kViewStep);
+  ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x - 5.0F * ImGui::GetFontSize(), 60.0F));
+  if (ImGui::SliderFloat(state.text(TextId::kPast), &tick, first, now, "%.3f s")) {
+    state.playing = false;
+    state.session->play(false);
+    state.session->seek(std::llround(static_cast<double>(tick) / kViewStep));
+  }
+}
+
+void status(ViewerState& state) {
+  const ViewSnapshot& s = state.snapshot();
+  double internal = 0.0, weight = 0.0, kinetic = 0.0;
+  if (!s.cloths.empty()) {
+    internal = s.cloths[0].energy.internal();
+    weight = s.cloths[0].energy.weight;
+    kinetic = s.cloths[0].kinetic_energy;
+  }
+  ImGui::Text("%.3f s   %s %.0f µs   %s ×%.2f   %s %.3f + %.3f + %.3f mJ   %s   %s %.0f ms", s.time,
+              state.text(TextId::kStatusStep), s.step_us, state.text(TextId::kStatusRealTime),
+              state.playing ? state.real_time_factor : 0.0, state.text(TextId::kStatusEnergy), 1e3 * internal,
+              1e3 * weight, 1e3 * kinetic, state.text(TextId::kStatusDevice),
+              state.text(TextId::kStatusFrames), state.picture_ms);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.text(TextId::kEnergyParts));
+  if (state.recording || state.filming || state.logging) {
+    ImGui::SameLine();
+    ImGui::TextColored({0.95F, 0.3F, 0.25F, 1.0F}, "● %s", state.text(TextId::kRecording));
+  }
+  if (state.playing && state.clock > 2.0 && state.real_time_factor < kTooSlow * state.settings.speed) {
+    ImGui::SameLine();
+    ImGui::TextColored({0.95F, 0.6F, 0.2F, 1.0F}, "%s", state.text(TextId::kTooSlow));
+  }
+}
+
+}  // namespace
+
+void draw_time_panel(ViewerState& state) {
+  const ViewBox box = lay_out(state).time;
+  ImGui::SetNextWindowPos({box.left, box.top});
+  ImGui::SetNextWindowSize({box.width, box.height});
+  constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_NoBringToFrontOnFocus;
+  if (ImGui::Begin("time", nullptr, kFixed)) {
+    controls(state);
+    past(state);
+    status(state);
+  }
+  ImGui::End();
+}
+
+}  // namespace fuai

@@ -1,0 +1,140 @@
+// A plot by lines and texts of ImGui.
+// SPDX-License-Identifier: Apache-2.0
+#include "fuai/window/plot_widget.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "fuai/picture/plot_axis.h"
+#include "fuai/window/ui_style.h"
+
+namespace fuai {
+namespace {
+
+/// Smallest range of the finite numbers, a little widened; around zero when there is none.
+Range range_of(const Plot& plot, bool vertical) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Series& series : plot.series) {
+    for (const double value : vertical ? series.y : series.x) {
+      if (!std::isfinite(value)) continue;
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  if (!(low <= high)) return {0.0, 1.0};
+  const double margin = std::max(0.05 * (high - low), 1e-9 + 1e-6 * std::abs(high));
+  return {low - margin, high + margin};
+}
+
+struct Frame {
+  ImVec2 low, high;  // corners of the axes on the screen, y downward
+  Axis x, y;
+
+  ImVec2 at(double vx, double vy) const {
+    return {low.x + static_cast<float>(x.place(vx)) * (high.x - low.x),
+            high.y - static_cast<float>(y.place(vy)) * (high.y - low.y)};
+  }
+};
+
+void draw_axes(ImDrawList& list, const Frame& f, const Plot& plot, ImU32 ink, ImU32 grid) {
+  const float line = ImGui::GetTextLineHeight();
+  for (const Tick& tick : f.x.ticks) {
+    if (tick.label.empty()) continue;
+    const float x = f.at(tick.value, f.y.low).x;
+    list.AddLine({x, f.low.y}, {x, f.high.y}, grid);
+    const ImVec2 size = ImGui::CalcTextSize(tick.label.c_str());
+    list.AddText({x - 0.5F * size.x, f.high.y + 2.0F}, ink, tick.label.c_str());
+  }
+  for (const Tick& tick : f.y.ticks) {
+    if (tick.label.empty()) continue;
+    const float y = f.at(f.x.low, tick.value).y;
+    list.AddLine({f.low.x, y}, {f.high.x, y}, grid);
+    const ImVec2 size = ImGui::CalcTextSize(tick.label.c_str());
+    list.AddText({f.low.x - size.x - 4.0F, y - 0.5F * size.y}, ink, tick.label.c_str());
+  }
+  list.AddRect(f.low, f.high, ink);
+  const std::string x_label = plot.x_label + (f.x.factor.empty() ? "" : " " + f.x.factor);
+  const std::string y_label = plot.y_label + (f.y.factor.empty() ? "" : " " + f.y.factor);
+  const float width = ImGui::CalcTextSize(x_label.c_str()).x;
+  list.AddText({f.high.x - width, f.high.y + 2.0F + line}, ink, x_label.c_str());
+  list.AddText({f.low.x, f.low.y - line - 2.0F}, ink, y_label.c_str());
+}
+
+void draw_series(ImDrawList& list, const Frame& f, const Series& series, int place) {
+  const ImU32 colour = to_ui_colour(series_colour(series.colour < 0 ? place : series.colour));
+  const bool points = series.style == SeriesStyle::kPoints || series.style == SeriesStyle::kLineAndPoints;
+  const bool lines = series.style != SeriesStyle::kPoints;
+  const float width = series.style == SeriesStyle::kDashed ? 1.0F : static_cast<float>(series.line_width);
+  for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+    if (!std::isfinite(series.x[i]) || !std::isfinite(series.y[i])) continue;
+    const ImVec2 here = f.at(series.x[i], series.y[i]);
+    if (points) list.AddCircleFilled(here, 2.0F, colour, 6);
+    if (lines && i > 0 && std::isfinite(series.x[i - 1]) && std::isfinite(series.y[i - 1]))
+      list.AddLine(f.at(series.x[i - 1], series.y[i - 1]), here, colour, width);
+  }
+}
+
+void draw_legend(ImDrawList& list, const Frame& f, const Plot& plot, ImU32 ink) {
+  const float line = ImGui::GetTextLineHeight();
+  float y = f.low.y + 2.0F;
+  int place = 0;
+  for (const Series& series : plot.series) {
+    const int colour = series.colour < 0 ? place : series.colour;
+    ++place;
+    if (series.label.empty()) continue;
+    const float x = f.high.x - ImGui::CalcTextSize(series.label.c_str()).x - 6.0F;
+    const ImU32 tint = to_ui_colour(series_colour(colour));
+    if (series.style == SeriesStyle::kPoints)
+      list.AddCircleFilled({x - 10.0F, y + 0.5F * line}, 2.5F, tint, 8);
+    else
+      list.AddLine({x - 18.0F, y + 0.5F * line}, {x - 4.0F, y + 0.5F * line}, tint, 2.0F);
+    list.AddText({x, y}, ink, series.label.c_str());
+    y += line;
+  }
+}
+
+}  // namespace
+
+void draw_plot(const Plot& plot, const PlotWidget& widget) {
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const float line = ImGui::GetTextLineHeight();
+  ImGui::PushID(&plot);
+  ImGui::InvisibleButton("plot", {widget.width, widget.height});
+  const bool hovered = ImGui::IsItemHovered();
+  ImGui::PopID();
+  Frame f;
+  f.low = {origin.x + 4.2F * line, origin.y + 1.3F * line};
+  f.high = {origin.x + widget.width - 0.6F * line, origin.y + widget.height - 2.4F * line};
+  if (f.high.x - f.low.x < 20.0F || f.high.y - f.low.y < 20.0F) return;
+  const Range x = plot.x_range.value_or(range_of(plot, false)),
+              y = plot.y_range.value_or(range_of(plot, true));
+  const auto ticks = [&](float pixels, float each) { return std::max(2, static_cast<int>(pixels / each)); };
+  f.x = make_axis(x.low, x.high, false, ticks(f.high.x - f.low.x, 4.5F * line));
+  f.y = make_axis(y.low, y.high, false, ticks(f.high.y - f.low.y, 2.2F * line));
+
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text), grid = ImGui::GetColorU32(ImGuiCol_Separator, 0.45F);
+  list.AddRectFilled(f.low, f.high, ImGui::GetColorU32(ImGuiCol_FrameBg, 0.5F));
+  draw_axes(list, f, plot, ink, grid);
+  list.PushClipRect(f.low, f.high, true);
+  int place = 0;
+  for (const Series& series : plot.series) draw_series(list, f, series, place++);
+  list.PopClipRect();
+  if (plot.legend) draw_legend(list, f, plot, ink);
+  if (!plot.title.empty()) {
+    const float width = ImGui::CalcTextSize(plot.title.c_str()).x;
+    list.AddText({f.high.x - width, origin.y}, ink, plot.title.c_str());
+  }
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  if (hovered && mouse.x >= f.low.x && mouse.x <= f.high.x && mouse.y >= f.low.y && mouse.y <= f.high.y) {
+    const double px = f.x.low + (f.x.high - f.x.low) * (mouse.x - f.low.x) / (f.high.x - f.low.x);
+    const double py = f.y.low + (f.y.high - f.y.low) * (f.high.y - mouse.y) / (f.high.y - f.low.y);
+    ImGui::SetTooltip("%.4g, %.4g", px, py);
+  }
+}
+
+}  // namespace fuai

@@ -1,0 +1,19 @@
+// Draws a Plot (picture/plot.h) in a panel, with the axes, ticks and colours that its pictures have.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "fuai/picture/plot.h"
+
+namespace fuai {
+
+/// How large, and on what.
+struct PlotWidget {
+  float width = 300.0F, height = 180.0F;  ///< [pixel]
+  bool dark = true;
+};
+
+/// At the cursor of the current ImGui window. Lines, dashes (drawn thinner), points and the legend; log axes,
+/// bands and annotations are left to files. Shows the values under the mouse. Thread class: the window's.
+void draw_plot(const Plot& plot, const PlotWidget& widget);
+
+}  // namespace fuai

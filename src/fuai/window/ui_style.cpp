@@ -1,0 +1,99 @@
+// Fonts by fontconfig, colours of two themes.
+// SPDX-License-Identifier: Apache-2.0
+#include "fuai/window/ui_style.h"
+
+#include <fontconfig/fontconfig.h>
+
+#include <cmath>
+#include <memory>
+
+#include "fuai/units/kes.h"
+#include "fuai/window/ui_text.h"
+
+namespace fuai {
+namespace {
+
+/// Characters that labels are made of besides letters.
+constexpr const char* kSymbols = "·²³°×−→←↑↓±²⁻⁰¹²³⁴⁵⁶⁷⁸⁹…—–“”";
+
+}  // namespace
+
+ImU32 to_ui_colour(const Colour& c, double alpha) {
+  return ImGui::ColorConvertFloat4ToU32({static_cast<float>(c.red), static_cast<float>(c.green),
+                                         static_cast<float>(c.blue), static_cast<float>(c.alpha * alpha)});
+}
+
+std::string find_japanese_font() {
+  const std::unique_ptr<FcConfig, void (*)(FcConfig*)> config(FcInitLoadConfigAndFonts(), FcConfigDestroy);
+  if (!config) return {};
+  const auto name = reinterpret_cast<const FcChar8*>("sans:lang=ja");
+  const std::unique_ptr<FcPattern, void (*)(FcPattern*)> wanted(FcNameParse(name), FcPatternDestroy);
+  FcConfigSubstitute(config.get(), wanted.get(), FcMatchPattern);
+  FcDefaultSubstitute(wanted.get());
+  FcResult result = FcResultNoMatch;
+  const std::unique_ptr<FcPattern, void (*)(FcPattern*)> found(
+      FcFontMatch(config.get(), wanted.get(), &result), FcPatternDestroy);
+  if (!found) return {};
+  // What matches best need not have the language.
+  FcLangSet* languages = nullptr;
+  const auto japanese = reinterpret_cast<const FcChar8*>("ja");
+  if (FcPatternGetLangSet(found.get(), FC_LANG, 0, &languages) != FcResultMatch ||
+      FcLangSetHasLang(languages, japanese) == FcLangDifferentLang)
+    return {};
+  FcChar8* file = nullptr;
+  if (FcPatternGetString(found.get(), FC_FILE, 0, &file) != FcResultMatch) return {};
+  return reinterpret_cast<const char*>(file);
+}
+
+std::string load_fonts(float size, const std::string& more) {
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  atlas.Clear();
+  ImFontGlyphRangesBuilder builder;
+  builder.AddRanges(atlas.GetGlyphRangesDefault());
+  builder.AddText(kSymbols);
+  builder.AddText(more.c_str());
+  for (const UiText& text : ui_texts()) {
+    builder.AddText(text.english);
+    builder.AddText(text.japanese);
+  }
+  for (const KesQuantity& q : kes_quantities())
+    builder.AddText(q.name_ja.data(), q.name_ja.data() + q.name_ja.size());
+  static ImVector<ImWchar> ranges;  // the atlas reads it until it is built, and does not copy it
+  ranges.clear();
+  builder.BuildRanges(&ranges);
+  const std::string file = find_japanese_font();
+  if (!file.empty() && atlas.AddFontFromFileTTF(file.c_str(), size, nullptr, ranges.Data) != nullptr) {
+    atlas.Build();
+    return {};
+  }
+  ImFontConfig config;
+  config.SizePixels = size;
+  atlas.AddFontDefault(&config);
+  atlas.Build();
+  return "no font with Japanese was found: install fonts-noto-cjk; Japanese texts show as question marks";
+}
+
+Colour background_colour(bool dark) {
+  return dark ? Colour{0.13, 0.14, 0.16, 1.0} : Colour{0.96, 0.96, 0.95, 1.0};
+}
+
+Colour ground_colour(bool dark) {
+  return dark ? Colour{0.25, 0.26, 0.28, 1.0} : Colour{0.88, 0.88, 0.87, 1.0};
+}
+
+void apply_theme(bool dark, float scale) {
+  ImGuiStyle style;
+  if (dark)
+    ImGui::StyleColorsDark(&style);
+  else
+    ImGui::StyleColorsLight(&style);
+  style.WindowRounding = 6.0F;
+  style.FrameRounding = 4.0F;
+  style.GrabRounding = 4.0F;
+  style.WindowBorderSize = dark ? 0.0F : 1.0F;
+  style.Colors[ImGuiCol_WindowBg].w = 0.94F;
+  style.ScaleAllSizes(scale);
+  ImGui::GetStyle() = style;
+}
+
+}  // namespace fuai

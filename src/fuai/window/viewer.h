@@ -1,0 +1,56 @@
+// The viewer: a window, or the same without a display, in which cloths are seen, grabbed and compared.
+// SPDX-License-Identifier: Apache-2.0
+// Source: docs/viewer.md.
+//
+//   window's thread                              cloth's thread
+//     events -> panels -> commands  ---------->  ViewSession::tick() every millisecond
+//     pictures of the newest snapshot <--------
+//
+//   With a number of seconds, and without a display, the window's thread ticks the cloths itself, a picture's
+//   time at a time: what is seen then depends on nothing but the options.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "fuai/scenes/engine_scene.h"
+#include "fuai/window/view_settings.h"
+
+namespace fuai {
+
+/// What to show, and how.
+struct ViewerOptions {
+  std::string scene = "hanging_sheet";
+  std::vector<std::string> fabrics;  ///< 1 to kMostViewFabrics, as load_fabric() takes them
+  SceneOptions size;
+  ViewSettings settings;
+  int width = 1280, height = 720;  ///< [pixel]
+  bool window = true;              ///< else without a display
+  bool scene_moves = false;        ///< the scene's own hands and pins move
+  double seconds = 0.0;            ///< simulated time after which it ends [s]; 0: until it is closed
+  std::string screenshot;          ///< PNG written at the end
+  std::string record;              ///< recording written from the start
+  std::string folder = ".";        ///< where pictures, videos and logs go
+  std::string version;             ///< of the program, for captions
+  std::function<void(const std::string&)> say;  ///< one clear line about what is missing
+};
+
+/// What happened.
+struct ViewerResult {
+  double seconds = 0.0;  ///< simulated [s]
+  std::int64_t pictures = 0;
+  std::uint64_t state_hash = 0;  ///< of all cloths at the end
+  double picture_ms = 0.0;       ///< median time from picture to picture [ms]
+  double paint_ms = 0.0;         ///< median time for the cloths of a picture [ms]
+  std::string renderer;          ///< as the driver calls itself
+};
+
+/// Whether there is a display to open a window on. Thread class: set-up.
+bool has_display();
+
+/// Runs until the window is closed or the seconds are over. @throws Error (kNoDevice) without a display or a
+/// graphics driver; as make_view_setup(); (kBadInput) for files that cannot be written. Thread class: set-up.
+ViewerResult run_viewer(const ViewerOptions& options);
+
+}  // namespace fuai

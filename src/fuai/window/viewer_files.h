@@ -1,0 +1,51 @@
+// What the window writes: pictures, videos, shapes, fabrics, recordings.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "fuai/picture/cloth_painter.h"
+#include "fuai/viewer/force_log.h"
+#include "fuai/viewer/view_log.h"
+#include "fuai/window/screen_target.h"
+#include "fuai/window/viewer_state.h"
+
+namespace fuai {
+
+/// Writes files into a folder; each error is told in the window and ends nothing. Thread class: the window's.
+class ViewerFiles {
+ public:
+  /// @param version of the program, for captions
+  ViewerFiles(std::string folder, std::string version);
+  ~ViewerFiles();
+
+  /// Does what the wishes of the state ask for in files. @param target as the frame left it
+  void serve(ViewerState& state, ScreenTarget& target, ClothPainter& painter);
+  /// Once a frame: what happened goes into the recording, forces into their log, a picture into the video.
+  void follow(ViewerState& state, const ScreenTarget& target);
+  /// Starts a recording of everything from here on. @throws Error (kBadInput) when it cannot be written
+  void start_recording(ViewerState& state, const std::string& path);
+  /// The cloths alone, as they are seen. @param transparent without background and floor
+  Image cloths_image(const ViewerState& state, ScreenTarget& target, ClothPainter& painter, bool caption,
+                     bool transparent) const;
+  /// Other cloths are on their way: the recording is told what they are.
+  void setup_changed(ViewerState& state);
+
+ private:
+  void screenshot(ViewerState& state, ScreenTarget& target, ClothPainter& painter);
+  void toggle_video(ViewerState& state);
+  void toggle_recording(ViewerState& state);
+  void toggle_force_log(ViewerState& state);
+  void save_fabric(ViewerState& state);
+  void follow_events(ViewerState& state);
+  std::string free_name(const std::string& stem, const std::string& ending) const;
+
+  std::string folder_, version_;
+  std::unique_ptr<ViewLogWriter> recording_;
+  std::unique_ptr<ForceLog> forces_;
+  class Video;
+  std::unique_ptr<Video> video_;
+};
+
+}  // namespace fuai

@@ -1,0 +1,40 @@
+// Where the viewer runs: a window of the display, or nothing but a graphics driver.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fuai/window/screen_target.h"
+
+namespace fuai {
+
+/// Makes an OpenGL context current and feeds ImGui. One at a time. Thread class: set-up, one thread.
+class ViewerHost {
+ public:
+  ViewerHost() = default;
+  ViewerHost(const ViewerHost&) = delete;
+  ViewerHost& operator=(const ViewerHost&) = delete;
+  virtual ~ViewerHost() = default;
+
+  /// Events, sizes and times of a new frame, to ImGui; before ImGui::NewFrame().
+  virtual void begin_frame() = 0;
+  /// Shows what was drawn.
+  virtual void show(const ScreenTarget& target) = 0;
+  virtual bool closing() const = 0;
+  virtual int width() const = 0;  ///< [pixel]
+  virtual int height() const = 0;
+  virtual float scale() const = 0;   ///< of the screen, 1 at 96 dpi
+  virtual double clock() const = 0;  ///< [s]
+  virtual void toggle_full_screen() {}
+  /// Paths that were dropped on it since the last call.
+  virtual std::vector<std::string> take_dropped() { return {}; }
+};
+
+/// @throws Error (kNoDevice) without a display. Thread class: set-up.
+std::unique_ptr<ViewerHost> make_window_host(int width, int height, const std::string& title);
+/// A frame lasts 1/60 s. @throws Error (kNoDevice) without a graphics driver. Thread class: set-up.
+std::unique_ptr<ViewerHost> make_headless_host(int width, int height);
+
+}  // namespace fuai

@@ -1,0 +1,140 @@
+// Everything the panels of the window share.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fuai/cloth/piece_mesh.h"
+#include "fuai/laboratory/fabric_comparison.h"
+#include "fuai/laboratory/fabric_numbers.h"
+#include "fuai/viewer/view_session.h"
+#include "fuai/window/hand_book.h"
+#include "fuai/window/key_table.h"
+#include "fuai/window/orbit_camera.h"
+#include "fuai/window/screen_target.h"
+#include "fuai/window/ui_text.h"
+#include "fuai/window/view_document.h"
+#include "fuai/window/view_quantity.h"
+#include "fuai/window/view_settings.h"
+
+namespace fuai {
+
+/// A moment of the force plots.
+struct ForceMoment {
+  double time = 0.0;  ///< [s]
+  double way = 0.0;   ///< of the hand from where it gripped [m]
+  int hand = -1;
+  std::vector<double> forces;      ///< pull of the hand, by cloth [N]
+  std::vector<ClothProbe> probes;  ///< by cloth
+  bool probed = false;
+};
+
+/// A line that goes away by itself.
+struct Message {
+  std::string text;
+  bool bad = false;
+  double until = 0.0;  ///< clock of the window [s]
+};
+
+/// What the pressed button does.
+struct Drag {
+  enum class Kind : std::uint8_t { kNone, kHand, kOrbit, kPan };
+  Kind kind = Kind::kNone;
+  int hand = -1;
+  std::size_t tile = 0;
+  bool stays = false;  ///< the grab stays when the button is let go
+};
+
+/// What a frame wants done when it is over.
+struct ViewWishes {
+  bool quit = false, full_screen = false, screenshot = false, video = false, record = false, obj = false,
+       gltf = false, force_log = false, save = false, new_theme = false;
+  std::optional<std::string> open;  ///< path
+};
+
+/// The state.
+struct ViewerState {
+  ViewSettings settings;
+  ViewDocument document;
+  std::shared_ptr<ViewCloths> cloths;  ///< of the document's setup
+  std::unique_ptr<ViewSession> session;
+  std::vector<FabricLaws> laws;   ///< by fabric, with the factors
+  std::vector<PieceMesh> meshes;  ///< by cloth, where the newest snapshot has them
+  std::vector<std::vector<double>> vertex_values;
+  std::vector<std::string> fabric_names;  ///< bundled
+
+  std::vector<std::vector<FabricNumber>> numbers;  ///< by fabric, as measured
+  std::optional<FabricComparison> comparison;      ///< when there are several
+
+  HandBook hands;
+  Drag drag;
+  OrbitCamera camera;
+  std::vector<ScreenTile> tiles;  ///< by cloth, in pixels of the screen
+  bool playing = true;
+  std::deque<ForceMoment> forces;  ///< the last seconds
+  std::deque<Message> messages;
+  ViewWishes wishes;
+  double clock = 0.0;             ///< since the start of the window [s]
+  double real_time_factor = 1.0;  ///< of the last second
+  double picture_ms = 0.0;        ///< time between pictures, smoothed
+  bool recording = false, filming = false, logging = false;
+  bool browsing = false;  ///< the file panel is open
+  std::string browse_folder;
+  std::uint64_t built_version = 0;  ///< of the document, that `cloths` were built for
+  ViewSetup built;                  ///< that setup
+  bool hint = true;
+
+  explicit ViewerState(ViewSetup setup) : document(std::move(setup)) {}
+
+  const char* text(TextId id) const { return ui_text(id, settings.language); }
+  const ViewSnapshot& snapshot() const { return session->snapshot(); }
+  /// Where the slots of a cloth are, as far as is known [m].
+  const std::vector<Vec3>& slot_positions(std::size_t cloth) const;
+  void say(std::string text, bool bad = false) {
+    messages.push_back({std::move(text), bad, clock + (bad ? 12.0 : 5.0)});
+  }
+};
+
+/// How many seconds the force plots show.
+inline constexpr double kForceSeconds = 10.0;
+
+/// The panels, each in a file of its own. They draw with ImGui and change the state. Thread class: the
+/// window's.
+void draw_menu(ViewerState& state);
+void draw_fabric_panel(ViewerState& state);
+void draw_plots_panel(ViewerState& state);
+void draw_time_panel(ViewerState& state);
+void draw_help(ViewerState& state);
+void draw_browser(ViewerState& state);
+void draw_comparison(ViewerState& state);
+/// Lines, arrows, forces, colour bar and captions over the cloths.
+void draw_overlay_2d(ViewerState& state);
+/// Mouse and keys that no panel wants.
+void handle_mouse(ViewerState& state);
+void handle_keys(ViewerState& state);
+/// Does what a key or a menu entry asks for.
+void act(ViewerState& state, KeyAction action);
+
+/// A part of the window, pixels from its upper left corner.
+struct ViewBox {
+  float left = 0.0F, top = 0.0F, width = 0.0F, height = 0.0F;
+};
+/// Where the panels are, and what is left for the cloths.
+struct ViewLayout {
+  ViewBox fabric, plots, time, view;
+};
+ViewLayout lay_out(const ViewerState& state);
+/// The tiles of so many cloths in a box, as square as they can be.
+std::vector<ScreenTile> make_tiles(const ViewBox& box, std::size_t count);
+
+/// Where a point of the scene is in a tile [pixel of the screen]; depth in z, negative behind the eye.
+Vec3 to_screen(const ViewerState& state, const ScreenTile& tile, const Vec3& point);
+/// Newtons and gram-force, always both: "0.123 N  12.5 gf".
+std::string force_text(double newtons);
+
+}  // namespace fuai

@@ -1,0 +1,257 @@
+// Builds, follows, opens.
+// SPDX-License-Identifier: Apache-2.0
+#include "fuai/window/viewer_work.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fuai/core/error.h"
+#include "fuai/experiments/scene_pictures.h"
+#include "fuai/io/fabric_import.h"
+#include "fuai/io/fabric_library.h"
+#include "fuai/io/threshold_file.h"
+#include "fuai/scenes/catalogue.h"
+#include "fuai/window/ui_style.h"
+
+namespace fuai {
+namespace {
+
+ViewFabric load_view_fabric(const std::string& source) {
+  ViewFabric fabric;
+  fabric.source = source;
+  const bool bundled = source.find('/') == std::string::npos && source.find('.') == std::string::npos;
+  if (bundled || source.ends_with(".toml")) {
+    fabric.measured = load_fabric(source);
+    return fabric;
+  }
+  FabricImport import;
+  import.files = {source};
+  ImportedFabrics read = import_fabrics(import);
+  fabric.measured = std::move(read.fabrics.front());
+  if (fabric.measured.id.empty()) fabric.measured.id = fabric.measured.name;
+  return fabric;
+}
+
+/// Laws, numbers and differences of the fabrics.
+void study_fabrics(ViewerState& state) {
+  const std::vector<ViewFabric>& fabrics = state.document.setup().fabrics;
+  state.laws.clear();
+  state.numbers.clear();
+  state.comparison.reset();
+  std::vector<Fabric> measured;
+  for (const ViewFabric& fabric : fabrics) {
+    state.laws.push_back(make_view_laws(fabric));
+    state.numbers.push_back(fabric_numbers(fabric.measured, make_fabric_laws(fabric.measured)));
+    measured.push_back(fabric.measured);
+  }
+  if (measured.size() > 1) state.comparison = compare_fabrics(measured, bundled_thresholds());
+}
+
+/// Surfaces of new cloths, where they start.
+void make_meshes(ViewerState& state) {
+  state.meshes.clear();
+  for (std::size_t i = 0; i < state.cloths->size(); ++i) {
+    const EngineScene& scene = state.cloths->scene(i);
+    state.meshes.push_back(make_piece_mesh(scene.model, scene.start.positions));
+  }
+  state.vertex_values.assign(state.meshes.size(), {});
+}
+
+bool same_lattice(const ViewSetup& a, const ViewSetup& b) {
+  return a.scene == b.scene && a.size.size == b.size.size && a.size.spacing == b.size.spacing &&
+         a.fabrics.size() == b.fabrics.size();
+}
+
+/// Runs a change of the document; what it throws is told.
+template <class Change>
+void try_change(ViewerState& state, const Change& change) {
+  try {
+    ViewSetup setup = state.document.setup();
+    change(setup);
+    state.document.change(std::move(setup));
+  } catch (const Error& e) {
+    state.say(std::string(state.text(TextId::kNotOpened)) + ": " + e.what() + " (" +
+                  state.text(TextId::kNothingChanged) + ")",
+              true);
+  }
+}
+
+/// Values of slots at the vertices; not a number where a slot has none.
+void spread_values(const PieceMesh& piece, const std::vector<double>& slots, std::vector<double>& values) {
+  values.resize(piece.vertices.size());
+  for (std::size_t v = 0; v < piece.vertices.size(); ++v) {
+    const MaterialPoint& point = piece.vertices[v];
+    double sum = 0.0, weight = 0.0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double value = slots[static_cast<std::size_t>(point.slots[i])];
+      if (point.weights[i] == 0.0 || !std::isfinite(value)) continue;
+      sum += point.weights[i] * value;
+      weight += point.weights[i];
+    }
+    values[v] = weight > 0.0 ? sum / weight : std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+void remember_forces(ViewerState& state) {
+  const ViewSnapshot& snapshot = state.snapshot();
+  while (!state.forces.empty() && state.forces.back().time >= snapshot.time) state.forces.pop_back();
+  while (!state.forces.empty() && state.forces.front().time < snapshot.time - kForceSeconds)
+    state.forces.pop_front();
+  ForceMoment moment;
+  moment.time = snapshot.time;
+  moment.hand = state.hands.last();
+  for (const ClothView& cloth : snapshot.cloths) {
+    const auto i = static_cast<std::size_t>(std::max(moment.hand, 0));
+    moment.forces.push_back(moment.hand < 0 ? 0.0 : cloth.hands[i].force.norm());
+    moment.probes.push_back(cloth.probe);
+    moment.probed = moment.probed || cloth.probed;
+  }
+  if (moment.hand >= 0) {
+    const UserHand& hand = state.hands.hand(static_cast<std::size_t>(moment.hand));
+    moment.way = (hand.target - hand.start).norm();
+  }
+  state.forces.push_back(std::move(moment));
+}
+
+}  // namespace
+
+const std::vector<Vec3>& ViewerState::slot_positions(std::size_t cloth) const {
+  const std::vector<Vec3>& start = cloths->scene(cloth).start.positions;
+  const ViewSnapshot& s = snapshot();
+  if (cloth >= s.cloths.size() || s.cloths[cloth].positions.size() != start.size()) return start;
+  return s.cloths[cloth].positions;
+}
+
+ViewSetup make_view_setup(const std::string& scene, const std::vector<std::string>& fabrics,
+                          const SceneOptions& size) {
+  ViewSetup setup;
+  setup.scene = scene;
+  setup.size = size;
+  if (find_scene(scene).kind != SceneKind::kEngine) {
+    throw Error(ErrorKind::kUsage, "'" + scene + "' is a scene of the paper's method, which has no time", {},
+                "take corner_drape or bending");
+  }
+  if (fabrics.empty() || fabrics.size() > kMostViewFabrics) {
+    throw Error(ErrorKind::kUsage, "the viewer shows one to " + std::to_string(kMostViewFabrics) + " fabrics",
+                {}, "name fewer");
+  }
+  for (const std::string& source : fabrics) setup.fabrics.push_back(load_view_fabric(source));
+  return setup;
+}
+
+void begin_session(ViewerState& state) {
+  study_fabrics(state);
+  state.cloths = std::make_shared<ViewCloths>(state.document.setup());
+  state.session = std::make_unique<ViewSession>(state.cloths);
+  state.built_version = state.document.version();
+  state.built = state.document.setup();
+  make_meshes(state);
+}
+
+bool follow_document(ViewerState& state) {
+  if (state.built_version == state.document.version()) return false;
+  state.built_version = state.document.version();
+  try {
+    const bool keep = same_lattice(state.built, state.document.setup());
+    auto cloths = std::make_shared<ViewCloths>(state.document.setup());
+    study_fabrics(state);
+    state.cloths = std::move(cloths);
+    state.built = state.document.setup();
+    state.session->replace(state.cloths, keep);
+    if (!keep) state.forces.clear();
+    make_meshes(state);
+    return true;
+  } catch (const Error& e) {
+    state.say(std::string(e.what()) + " (" + state.text(TextId::kNothingChanged) + ")", true);
+    state.document.undo();
+    state.built_version = state.document.version();
+    study_fabrics(state);
+    return false;
+  }
+}
+
+void take_snapshot(ViewerState& state) {
+  state.session->show_field(state.settings.heat_map);
+  if (!state.session->fetch()) return;
+  const ViewSnapshot& snapshot = state.snapshot();
+  if (snapshot.cloths.size() != state.meshes.size()) return;  // of cloths that were replaced
+  for (std::size_t i = 0; i < state.meshes.size(); ++i) {
+    const ClothView& view = snapshot.cloths[i];
+    if (view.positions.size() != static_cast<std::size_t>(state.cloths->scene(i).model.slot_count())) return;
+    update_piece_mesh(state.meshes[i], view.positions);
+    state.vertex_values[i].clear();
+    if (!view.field.empty()) spread_values(state.meshes[i], view.field, state.vertex_values[i]);
+  }
+  state.hands.follow(snapshot);
+  remember_forces(state);
+}
+
+void frame_view(ViewerState& state) {
+  const SceneView& view = state.cloths->scene(0).view;
+  Bounds bounds;
+  bounds.include(view.low);
+  bounds.include(view.high);
+  const double aspect =
+      state.tiles.empty() ? 1.5 : static_cast<double>(state.tiles[0].width) / state.tiles[0].height;
+  state.camera.frame(bounds, view.azimuth, view.elevation, aspect);
+}
+
+void add_view_fabric(ViewerState& state, const std::string& source) {
+  try_change(state, [&](ViewSetup& setup) { setup.fabrics.push_back(load_view_fabric(source)); });
+}
+
+void set_view_fabric(ViewerState& state, std::size_t place, const std::string& source) {
+  try_change(state, [&](ViewSetup& setup) { setup.fabrics[place] = load_view_fabric(source); });
+}
+
+void remove_view_fabric(ViewerState& state, std::size_t place) {
+  try_change(state, [&](ViewSetup& setup) {
+    if (setup.fabrics.size() > 1)
+      setup.fabrics.erase(setup.fabrics.begin() + static_cast<std::ptrdiff_t>(place));
+  });
+}
+
+void set_view_scene(ViewerState& state, const std::string& scene) {
+  try_change(state, [&](ViewSetup& setup) { setup.scene = scene; });
+}
+
+void open_path(ViewerState& state, const std::string& path) { set_view_fabric(state, 0, path); }
+
+HeatRange heat_range(const ViewerState& state) {
+  const auto& quantity = view_quantities()[static_cast<std::size_t>(std::max(state.settings.heat_map, 0))];
+  double most = quantity.least_range;
+  if (state.settings.auto_range) {
+    for (const std::vector<double>& values : state.vertex_values)
+      for (const double v : values)
+        if (std::isfinite(v)) most = std::max(most, std::abs(v));
+  } else {
+    most = std::max(state.settings.range, 1e-12);
+  }
+  return {is_signed(quantity.field) ? -most : 0.0, most};
+}
+
+ClothPicture cloth_picture(const ViewerState& state, std::size_t cloth, int ambient_directions) {
+  const ViewSettings& settings = state.settings;
+  const EngineScene& scene = state.cloths->scene(cloth);
+  ClothPicture picture = scene_stage_picture(scene, state.slot_positions(cloth));
+  picture.camera = state.camera.camera();
+  picture.ambient_directions = ambient_directions;
+  picture.background = background_colour(settings.dark);
+  picture.ground.shown = settings.ground;
+  picture.ground.colour = ground_colour(settings.dark);
+  ClothItem item;
+  item.mesh = state.meshes[cloth].mesh;
+  item.thread_spacing = settings.weave ? scene.model.spacing : 0.0;
+  if (settings.heat_map >= 0 && !state.vertex_values[cloth].empty()) {
+    const HeatRange range = heat_range(state);
+    item.mesh.values = state.vertex_values[cloth];
+    const auto field = static_cast<ClothField>(settings.heat_map);
+    picture.colour_bar = ColourBar{"", range.low, range.high,
+                                   is_signed(field) ? ColourMap::kDiverging : ColourMap::kSequential};
+  }
+  picture.cloths.push_back(std::move(item));
+  return picture;
+}
+
+}  // namespace fuai
