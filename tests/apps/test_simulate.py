@@ -10,7 +10,7 @@ import unittest
 from program_tools import Case
 
 ENGINE = ["hanging_sheet", "hanging_strip", "taut_patch", "yank", "shake", "bending", "corner_drape",
-          "grasp_and_lift", "table_edge"]
+          "grasp_and_lift", "table_edge", "drape_tester"]
 COLUMNS = ["time_s", "hand_x_m", "hand_y_m", "hand_z_m", "force_x_N", "force_y_N", "force_z_N", "moment_x_Nm",
            "moment_y_Nm", "moment_z_Nm", "status", "residual_N"]
 FABRIC = ["--fabric", "wool-tropical"]

@@ -29,10 +29,11 @@ TEST_SUITE("unit") {
       const ClothPicture picture = engine_scene_picture(scene, state, hands, "caption", 1.5);
       CHECK(picture.caption == "caption");
       CHECK(picture.cloths.size() == 1);
-      CHECK(picture.cloths[0].mesh.triangles.size() == 2 * 12 * (scene.model.columns - 1));
-      // Two pegs, or a rail or table: something holds every cloth.
+      const bool round = entry.name == "drape_tester";
+      if (!round) CHECK(picture.cloths[0].mesh.triangles.size() == 2 * 12 * (scene.model.columns - 1));
+      // Two pegs, a pedestal of two, or a rail or table: something holds every cloth.
       CHECK(picture.cylinders.size() + picture.boxes.size() >= 1);
-      CHECK((picture.cylinders.size() == 2) == (entry.name == "hanging_sheet"));
+      CHECK((picture.cylinders.size() == 2) == (entry.name == "hanging_sheet" || round));
       CHECK(picture.arrows.size() == scene.hands.size());
       for (const ArrowItem& arrow : picture.arrows) {
         CHECK(arrow.vector.dot(hands[0].force) < 0.0);

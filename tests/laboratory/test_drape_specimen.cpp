@@ -12,8 +12,8 @@
 #include "fuai/fabric/scalar_laws.h"
 #include "fuai/io/fabric_library.h"
 #include "fuai/laboratory/drape_material.h"
-#include "fuai/laboratory/drape_specimen.h"
-#include "fuai/laboratory/smooth_noise.h"
+#include "fuai/scenes/drape_specimen.h"
+#include "fuai/scenes/smooth_noise.h"
 
 using namespace fuai;
 

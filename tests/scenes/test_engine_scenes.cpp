@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <numeric>
 #include <string>
 
 #include "fuai/core/error.h"
@@ -109,6 +111,35 @@ TEST_SUITE("unit") {
     CHECK_THROWS_AS(run_scene("hanging_sheet", laws, PaperMode::kCorrected, 1.0), Error);
   }
 
+  TEST_CASE("the drape tester keeps its standard size at any spacing, and scales with a size") {
+    const auto area = [](const EngineScene& scene) {
+      return std::accumulate(scene.model.node_area.begin(), scene.model.node_area.end(), 0.0);
+    };
+    const auto disc = [](double diameter) { return 0.25 * std::numbers::pi * diameter * diameter; };
+    const FabricLaws laws = middling_laws();
+    // The outline is a polygon: a part in a thousand.
+    for (double spacing : {0.0, 0.005, 0.007})
+      CHECK(area(make_drape_tester(laws, {0, spacing})) == doctest::Approx(disc(0.30)).epsilon(1e-3));
+    CHECK(area(make_drape_tester(laws, {21, 0.01})) == doctest::Approx(disc(0.20)).epsilon(1e-3));
+    const EngineScene small = make_drape_tester(laws, {21, 0.01});
+    CHECK(small.view.columns.front().radius == doctest::Approx(0.06));
+    // Held under the disc, the rim falls in folds: lower than the disc, and not everywhere alike.
+    SceneRunner<float> runner(small);
+    run(runner, 600);
+    double lowest = 0.0, highest = -1.0;
+    for (const MaterialPoint& point : small.model.border) {
+      double z = 0.0;
+      for (std::size_t i = 0; i < 4; ++i)
+        z += point.weights[i] * runner.simulation().position(point.slots[i]).z();
+      lowest = std::min(lowest, z);
+      highest = std::max(highest, z);
+    }
+    MESSAGE("rim of the small specimen after 0.6 s: ", 1e3 * lowest, " to ", 1e3 * highest, " mm");
+    CHECK(lowest < -0.01);
+    CHECK(lowest > -0.045);  // an overhang of 40 mm, stretched little
+    CHECK(highest - lowest > 0.001);
+  }
+
   TEST_CASE("the scenes hold what they name") {
     const FabricLaws laws = middling_laws();
     CHECK(count(make_hanging_sheet(laws).model.fixed) == 2);
@@ -119,6 +150,9 @@ TEST_SUITE("unit") {
     CHECK(count(make_grasp_and_lift(laws).model.fixed) == 33);
     // 0.4 of 32 spacings is 12.8: the edge lies within the cell behind the row of slot 13.
     CHECK(count(make_table_edge(laws).model.fixed) == 33 * 14);
+    // The points of a square lattice within 9.5 spacings: the clamp's edge is sub-cell, half a spacing
+    // inside.
+    CHECK(count(make_drape_tester(laws).model.fixed) == 293);
   }
 
   TEST_CASE("the waves of the clamped sheet take 5 % off its width and stretch no yarn") {

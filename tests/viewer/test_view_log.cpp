@@ -49,7 +49,8 @@ std::uint64_t record(const std::string& path, std::int64_t& ticks) {
   table.handle(0, 230);
   write(table, log);
   setup.fabrics[1].factors[static_cast<std::size_t>(FabricFactor::kWarpBending)] = 1.0 / 3.0;
-  log.announce(table.session.replace(cloths_of(setup), true), setup);
+  table.session.replace(cloths_of(setup), true);
+  log.announce(table.session.newest_build(), setup);
   table.round();
   table.handle(230, 700);
   write(table, log);
@@ -117,26 +118,36 @@ TEST_SUITE("determinism") {
     CHECK(replay_view_log(other).first_difference == 100);
   }
 
-  TEST_CASE("a recording that begins in the middle of a session") {
-    const std::string path = file_name("middle.fuai-view");
+  TEST_CASE("a recording begins with a reset or with other cloths, in the middle of a session") {
     const ViewSetup setup = small_setup();
-    Table table(setup);
-    table.play_to(137);
-    ViewLogWriter log(path, setup, table.session.replace(cloths_of(setup), true));
-    table.round();
-    write(table, log);
-    // Begun from the start of the scene whatever was asked: the recording says so by not matching; hence the
-    // viewer begins recordings with fresh cloths.
-    CHECK(!read_view_log(path).front().keep_shape);
-    ViewLogWriter fresh(path, setup, table.session.replace(cloths_of(setup), false));
-    table.handle(137, 333);
-    write(table, fresh);
-    const std::vector<ViewLogPart> parts = read_view_log(path);
-    REQUIRE(parts.size() == 1);
-    CHECK(parts[0].tick == 137);
-    const ViewReplay replay = replay_view_log(parts);
-    CHECK(replay.matches());
-    CHECK(replay.hashes == 2);
+    for (const bool reset : {true, false}) {
+      CAPTURE(reset);
+      const std::string path = file_name(reset ? "reset.fuai-view" : "fresh.fuai-view");
+      Table table(setup);
+      table.handle(0, 137);
+      table.session.send(grab(9, {0.04, 0.03}, {0.04, -0.05, 0.0}));
+      table.round();
+      std::vector<ViewEvent> before;
+      gather(table.session, before);
+      ViewLogWriter log(path, setup);
+      if (reset) {
+        table.session.send(plain(ViewCommand::Kind::kMotion, 0, false));  // as the setup says
+        table.session.send(plain(ViewCommand::Kind::kReset));
+      } else {
+        table.session.replace(cloths_of(setup), false);
+        log.announce(table.session.newest_build(), setup);
+      }
+      table.round();
+      write(table, log);
+      table.handle(137, 333);
+      write(table, log);
+      const std::vector<ViewLogPart> parts = read_view_log(path);
+      REQUIRE(parts.size() == 1);
+      CHECK(parts[0].tick == 137);
+      const ViewReplay replay = replay_view_log(parts);
+      CHECK(replay.matches());
+      CHECK(replay.hashes == 2);
+    }
   }
 }
 
@@ -151,6 +162,9 @@ TEST_SUITE("unit") {
     setup.size.spacing = 0.1 / 3.0;
     ViewLogWriter log(path, setup);
     ViewEvent event;
+    event.kind = ViewEvent::Kind::kHash;
+    log.write({event}, -1);
+    event = {};
     event.tick = 5;
     event.command = grab(2, {1.0 / 3.0, -1e-300}, {0.1, 2.0 / 7.0, -0.0});
     event.command.radius = 0.01 / 7.0;
@@ -158,10 +172,10 @@ TEST_SUITE("unit") {
     const ViewLogPart part = read_view_log(path).front();
     CHECK(part.setup.size.spacing == setup.size.spacing);
     CHECK(part.setup.fabrics[0].source == odd);
-    REQUIRE(part.events.size() == 1);
-    CHECK(part.events[0].command.material == event.command.material);
-    CHECK(part.events[0].command.position == event.command.position);
-    CHECK(part.events[0].command.radius == event.command.radius);
+    REQUIRE(part.events.size() == 2);
+    CHECK(part.events[1].command.material == event.command.material);
+    CHECK(part.events[1].command.position == event.command.position);
+    CHECK(part.events[1].command.radius == event.command.radius);
   }
 
   TEST_CASE("torn anywhere, a recording loses its last line and no more") {
@@ -191,6 +205,8 @@ TEST_SUITE("unit") {
     {
       ViewLogWriter log(path, setup);
       ViewEvent event;
+      event.command.kind = ViewCommand::Kind::kReset;
+      log.write({event}, -1);
       event.tick = 3;
       event.command = grab(1, {0.01, 0.02}, {0.01, 0.02, 0.03});
       log.write({event}, -1);
@@ -229,7 +245,9 @@ TEST_SUITE("unit") {
     write_fabric_file(own, setup.fabrics[0].measured);
     setup.fabrics[0].source = own;
     setup.fabrics[0].measured = load_fabric(own);
-    { const ViewLogWriter log(path, setup); }
+    ViewEvent reset;
+    reset.command.kind = ViewCommand::Kind::kReset;
+    ViewLogWriter(path, setup).write({reset}, -1);
     CHECK(read_view_log(path).size() == 1);
     Fabric heavier = setup.fabrics[0].measured;
     heavier.areal_mass.value *= 1.01;
@@ -243,6 +261,8 @@ TEST_SUITE("unit") {
     const ViewSetup setup = small_setup();
     ViewLogWriter log(file_name("unknown.fuai-view"), setup);
     ViewEvent event;
+    event.command.kind = ViewCommand::Kind::kReset;
+    log.write({event}, -1);
     event.kind = ViewEvent::Kind::kReplaced;
     event.build = 4;
     CHECK_THROWS_AS(log.write({event}, -1), Error);

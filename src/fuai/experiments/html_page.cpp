@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "fuai/core/error.h"
+#include "fuai/io/delimited.h"
 
 namespace fuai {
 namespace {
@@ -31,22 +32,6 @@ pre { background: #f2f4f6; padding: .6rem .8rem; font-size: .85rem; white-space:
 
 std::string cell(std::string_view tag, std::string_view text) {
   return "<" + std::string(tag) + ">" + escape_html(text) + "</" + std::string(tag) + ">";
-}
-
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + "\"";
-}
-
-std::string csv_row(const std::vector<std::string>& cells) {
-  std::string row;
-  for (std::size_t i = 0; i < cells.size(); ++i) row += (i == 0 ? "" : ",") + csv_cell(cells[i]);
-  return row + "\n";
 }
 
 void check_table(const HtmlTable& table) {

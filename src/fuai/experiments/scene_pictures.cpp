@@ -134,6 +134,14 @@ ClothPicture scene_stage_picture(const EngineScene& scene, std::span<const Vec3>
     picture.boxes.push_back(box);
     lowest = std::min(lowest, block.low.z());
   }
+  for (const SceneColumn& column : scene.view.columns) {
+    CylinderItem cylinder;
+    cylinder.top = column.top;
+    cylinder.radius = column.radius;
+    cylinder.height = column.height;
+    picture.cylinders.push_back(cylinder);
+    lowest = std::min(lowest, column.top.z() - column.height);
+  }
   for (const Vec3& x : positions) lowest = std::min(lowest, x.z() - 0.02 * size);
   add_pegs(scene, positions, size, picture);
   picture.ground.height = lowest;

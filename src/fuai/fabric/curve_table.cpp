@@ -123,7 +123,6 @@ CurveTable scaled(const CurveTable& table, double factor) {
   Extrapolation rule = table.extrapolation();
   rule.slope_low *= factor;
   rule.slope_high *= factor;
-  rule.slopes_given = true;
   return make_curve_table(table.low(), table.high(), values, rule);
 }
 

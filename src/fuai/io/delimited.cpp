@@ -219,4 +219,22 @@ bool is_number(const DelimitedText& table, const DelimitedCell& cell) {
   return number_of(table, cell).has_value();
 }
 
+std::string csv_row(const std::vector<std::string>& cells) {
+  std::string row;
+  for (const std::string& text : cells) {
+    if (&text != cells.data()) row += ',';
+    if (text.find_first_of(",\"\n") == std::string::npos) {
+      row += text;
+      continue;
+    }
+    row += '"';
+    for (const char c : text) {
+      if (c == '"') row += '"';
+      row += c;
+    }
+    row += '"';
+  }
+  return row + "\n";
+}
+
 }  // namespace fuai

@@ -51,4 +51,7 @@ double cell_number(const DelimitedText& table, const DelimitedCell& cell, std::s
 /// Whether a cell reads as a number (finite or not). Thread class: set-up.
 bool is_number(const DelimitedText& table, const DelimitedCell& cell);
 
+/// One line of CSV: commas, quotes where a cell needs them, and the end of the line. Thread class: set-up.
+std::string csv_row(const std::vector<std::string>& cells);
+
 }  // namespace fuai

@@ -6,7 +6,7 @@
 #include "fuai/core/progress.h"
 #include "fuai/laboratory/drape_method.h"
 #include "fuai/laboratory/drape_shadow.h"
-#include "fuai/laboratory/drape_specimen.h"
+#include "fuai/scenes/drape_specimen.h"
 #include "fuai/solver/cloth_material.h"
 
 namespace fuai {

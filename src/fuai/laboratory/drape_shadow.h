@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "fuai/laboratory/drape_specimen.h"
+#include "fuai/scenes/drape_specimen.h"
 
 namespace fuai {
 

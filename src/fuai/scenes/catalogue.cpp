@@ -52,6 +52,9 @@ constexpr std::array kScenes{
           make_grasp_and_lift},
     Scene{{"table_edge", "33 x 33 at 1 cm, pinned flat on a table, falls over its edge", SceneKind::kEngine},
           make_table_edge},
+    Scene{{"drape_tester", "a round specimen of 30 cm on a disc of 18 cm, let go from flat",
+           SceneKind::kEngine},
+          make_drape_tester},
     Scene{{"paper_drape",
            "18 x 18 particles at 1 cm, 5 x 5 of them on a table's corner, let go from flat (the paper's "
            "Figure 4)",

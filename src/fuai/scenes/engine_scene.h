@@ -58,12 +58,19 @@ struct SceneBlock {
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();  ///< [m]
 };
 
+/// Another: an upright cylinder, such as the disc of a drape tester.
+struct SceneColumn {
+  Vec3 top = Vec3::Zero();            ///< centre of its upper face [m]
+  double radius = 0.0, height = 0.0;  ///< [m]
+};
+
 /// Where a scene is best seen from.
 struct SceneView {
   double azimuth = 0.0;                          ///< of the eye around z [rad]: 0 on the +x side
   double elevation = 0.0;                        ///< above the horizon [rad]
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();  ///< box that holds what happens [m]
   std::vector<SceneBlock> blocks;
+  std::vector<SceneColumn> columns;
 };
 
 /// Everything about a scene; constant once built.

@@ -48,4 +48,9 @@ EngineScene make_grasp_and_lift(const FabricLaws& laws, const SceneOptions& opti
 /// 33 x 33 at 1 cm, two fifths pinned flat on a table, the rest falls over its edge.
 EngineScene make_table_edge(const FabricLaws& laws, const SceneOptions& options = {});
 
+/// The drape tester of BS 5058: a round specimen of 30 cm on a disc of 18 cm, yarns at 1 cm, let go from flat
+/// with the small unevenness of drape_specimen.h. With a size, the specimen is (size - 1) spacings wide and
+/// the disc scales with it. Nothing keeps the cloth out of the pedestal.
+EngineScene make_drape_tester(const FabricLaws& laws, const SceneOptions& options = {});
+
 }  // namespace fuai

@@ -83,20 +83,35 @@ std::string event_text(const ViewEvent& event) {
 
 struct ViewLogWriter::Parts {
   GrowingFile file;
+  ViewSetup setup{};  ///< in force
   std::map<std::uint64_t, ViewSetup> announced{};
-  std::uint64_t first_build = 0;
   bool began = false;
   std::int64_t part_tick = 0;
+
+  std::string part(std::int64_t tick, bool keep_shape) {
+    began = true;
+    part_tick = tick;
+    return setup_text(tick, setup, keep_shape);
+  }
+  std::string replaced(const ViewEvent& event);
 };
 
-ViewLogWriter::ViewLogWriter(const std::string& path, const ViewSetup& setup, std::uint64_t build)
-    : parts_(new Parts{GrowingFile(path), {{build, setup}}, build}) {
-  std::string text = std::string(view_log::kFormat) + "\n";
-  if (build == 0) {
-    text += setup_text(0, setup, false);
-    parts_->began = true;
+/// Other cloths: the setup is in force from here on, and a recording that waits for a start has one.
+std::string ViewLogWriter::Parts::replaced(const ViewEvent& event) {
+  const auto found = announced.find(event.build);
+  if (found == announced.end()) {
+    if (!began) return {};  // from before this recording
+    throw Error(ErrorKind::kUsage, "a recording was not told of a change of cloths");
   }
-  parts_->file.add(text);
+  setup = found->second;
+  announced.erase(announced.begin(), std::next(found));  // earlier ones were passed over
+  if (!began && event.kept_shape) return {};
+  return part(event.tick, event.kept_shape);
+}
+
+ViewLogWriter::ViewLogWriter(const std::string& path, const ViewSetup& setup)
+    : parts_(new Parts{GrowingFile(path), setup}) {
+  parts_->file.add(std::string(view_log::kFormat) + "\n");
 }
 
 ViewLogWriter::~ViewLogWriter() = default;
@@ -112,16 +127,13 @@ void ViewLogWriter::write(const std::vector<ViewEvent>& events, std::int64_t rew
     text += std::string(view_log::kRewind) + " " + std::to_string(rewound_to) + "\n";
   for (const ViewEvent& event : events) {
     if (event.kind == ViewEvent::Kind::kReplaced) {
-      p.began = p.began || event.build == p.first_build;
-      if (!p.began) continue;
-      const auto setup = p.announced.find(event.build);
-      if (setup == p.announced.end())
-        throw Error(ErrorKind::kUsage, "a recording was not told of a change of cloths");
-      text += setup_text(event.tick, setup->second, event.kept_shape && event.build != p.first_build);
-      p.part_tick = event.tick;
-      p.announced.erase(p.announced.begin(), std::next(setup));  // earlier ones were passed over
+      text += p.replaced(event);
     } else if (p.began) {
       text += event_text(event);
+    } else if (event.kind == ViewEvent::Kind::kHash && event.tick == 0) {
+      text += p.part(0, false) + event_text(event);
+    } else if (event.kind == ViewEvent::Kind::kCommand && event.command.kind == ViewCommand::Kind::kReset) {
+      text += p.part(event.tick, false);  // the same as a fresh start
     }
   }
   if (!text.empty()) p.file.add(text);

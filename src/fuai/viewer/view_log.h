@@ -5,10 +5,12 @@
 //   fuai-view/1 recordings are text; each line is handed to the system as soon as it is known, so that a
 //   killed program loses at most the picture it was in. A torn last line is left out at reading.
 //
-//   build = session.replace(cloths, false)     or nothing, for a session that has just begun: build 0
-//   ViewLogWriter log(path, setup, build)
+//   A recording begins where the cloths are as their scene starts: at tick 0 of a session, at a reset, or at
+//   a replace() without keeping the shape. What comes before is left out.
+//
+//   ViewLogWriter log(path, setup)             then a reset, or replace(), unless the session has just begun
+//   with every replace(): log.announce(session.newest_build(), its setup), before the next take_events()
 //   with every picture: events = session.take_events(rewound_to); log.write(events, rewound_to)
-//   with every other replace(): log.announce(its build, its setup)
 #pragma once
 
 #include <cstdint>
@@ -23,16 +25,15 @@ namespace fuai {
 /// Writes a recording while it happens. Thread class: set-up (file).
 class ViewLogWriter {
  public:
-  /// The recording begins where the cloths of this setup took over: what happened before is left out.
-  /// @param build that replace() gave it; 0: the session began with it
-  /// @throws Error (kBadInput) when the file cannot be written, and as make_view_laws().
-  ViewLogWriter(const std::string& path, const ViewSetup& setup, std::uint64_t build = 0);
+  /// @param setup of the cloths that are there
+  /// @throws Error (kBadInput) when the file cannot be written.
+  ViewLogWriter(const std::string& path, const ViewSetup& setup);
   ~ViewLogWriter();
 
   /// @param events, rewound_to as ViewSession::take_events() gave them
   /// @throws Error (kBadInput) when the file cannot be written; (kUsage) for a build nobody announced.
   void write(const std::vector<ViewEvent>& events, std::int64_t rewound_to);
-  /// The setup behind a build, to be told before the events are written that say it took over.
+  /// The setup behind a build of ViewSession, to be told before the events are written that say it took over.
   void announce(std::uint64_t build, const ViewSetup& setup);
 
  private:

@@ -353,6 +353,8 @@ std::uint64_t ViewSession::replace(std::shared_ptr<ViewCloths> cloths, bool keep
   return build;
 }
 
+std::uint64_t ViewSession::newest_build() const noexcept { return parts_->builds; }
+
 bool ViewSession::fetch() noexcept { return parts_->box->fetch(); }
 
 const ViewSnapshot& ViewSession::snapshot() const noexcept { return parts_->box->value(); }

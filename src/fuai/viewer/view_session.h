@@ -135,6 +135,8 @@ class ViewSession {
   /// of friction over where scene, lattice and pins are the same; a cloth that was not there before gets the
   /// shape of the first. @return the build number its snapshots and the event will have.
   std::uint64_t replace(std::shared_ptr<ViewCloths> cloths, bool keep_shape);
+  /// The last number that replace() gave; 0 before the first. What it belongs to may still be on its way.
+  std::uint64_t newest_build() const noexcept;
   /// Which ClothField the snapshots are to carry; none: -1.
   void show_field(int field) noexcept;
   void play(bool plays) noexcept;

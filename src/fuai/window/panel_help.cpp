@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fuai/window/viewer_state.h"
@@ -53,7 +54,10 @@ void draw_help(ViewerState& state) {
     if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_RowBg)) {
       ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 8.5F * em);
       ImGui::TableSetupColumn("what");
+      const char* last = "";
       for (const KeyRow& row : key_table()) {
+        if (row.key != 0 && std::string_view(row.label) == last) continue;  // the key pad's twin
+        last = row.label;
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(row.label);

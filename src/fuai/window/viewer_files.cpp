@@ -11,6 +11,7 @@
 #include "fuai/core/error.h"
 #include "fuai/experiments/scene_pictures.h"
 #include "fuai/io/fabric_file.h"
+#include "fuai/io/mesh_gltf.h"
 #include "fuai/io/mesh_obj.h"
 #include "fuai/io/text_file.h"
 #include "fuai/picture/overlay.h"
@@ -162,7 +163,7 @@ void ViewerFiles::toggle_video(ViewerState& state) {
 }
 
 void ViewerFiles::start_recording(ViewerState& state, const std::string& path) {
-  recording_ = std::make_unique<ViewLogWriter>(path, state.built, state.build);
+  recording_ = std::make_unique<ViewLogWriter>(path, state.built, state.session->newest_build());
   state.recording = true;
 }
 
@@ -182,6 +183,20 @@ void ViewerFiles::toggle_recording(ViewerState& state) {
   });
 }
 
+void ViewerFiles::toggle_force_log(ViewerState& state) {
+  if (forces_) {
+    forces_.reset();
+    state.say(state.text(TextId::kSaved));
+  } else {
+    try_files(state, [&] {
+      const std::string path = free_name("fuai-forces", ".csv");
+      forces_ = std::make_unique<ForceLog>(path);
+      state.say(path);
+    });
+  }
+  state.logging = forces_ != nullptr;
+}
+
 void ViewerFiles::save_fabric(ViewerState& state) {
   try_files(state, [&] {
     const ViewFabric& fabric = state.document.setup().fabrics.front();
@@ -197,19 +212,22 @@ void ViewerFiles::serve(ViewerState& state, ScreenTarget& target, ClothPainter& 
   if (wishes.screenshot) screenshot(state, target, painter);
   if (wishes.video) toggle_video(state);
   if (wishes.record) toggle_recording(state);
+  if (wishes.force_log) toggle_force_log(state);
   if (wishes.save) save_fabric(state);
   const std::string name = state.document.setup().fabrics.front().measured.id;
-  if (wishes.obj) {
+  const auto export_mesh = [&](const char* ending, const auto& bytes_of) {
     try_files(state, [&] {
-      const std::string path = free_name("fuai", ".obj");
-      write_atomically(path, mesh_obj(state.meshes.front().mesh, name));
+      const std::string path = free_name("fuai", ending);
+      write_atomically(path, bytes_of(state.meshes.front().mesh));
       state.say(path + ": " + state.text(TextId::kSaved));
     });
-  }
+  };
+  if (wishes.obj) export_mesh(".obj", [&](const SurfaceMesh& mesh) { return mesh_obj(mesh, name); });
+  if (wishes.gltf) export_mesh(".glb", [&](const SurfaceMesh& mesh) { return mesh_glb(mesh, name); });
 }
 
 void ViewerFiles::setup_changed(ViewerState& state) {
-  if (recording_) try_files(state, [&] { recording_->announce(state.build, state.built); });
+  if (recording_) try_files(state, [&] { recording_->announce(state.session->newest_build(), state.built); });
 }
 
 void ViewerFiles::follow_events(ViewerState& state) {
@@ -221,6 +239,11 @@ void ViewerFiles::follow_events(ViewerState& state) {
 void ViewerFiles::follow(ViewerState& state, const ScreenTarget& target) {
   try_files(state, [&] {
     follow_events(state);
+    if (forces_) {
+      std::vector<std::string> names;
+      for (const ViewFabric& fabric : state.built.fabrics) names.push_back(fabric.measured.name);
+      forces_->write(state.snapshot(), names);
+    }
     if (video_ && !video_->follow(state.snapshot().time, target)) toggle_video(state);
   });
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "fuai/picture/cloth_painter.h"
+#include "fuai/viewer/force_log.h"
 #include "fuai/viewer/view_log.h"
 #include "fuai/window/screen_target.h"
 #include "fuai/window/viewer_state.h"
@@ -35,12 +36,14 @@ class ViewerFiles {
   void screenshot(ViewerState& state, ScreenTarget& target, ClothPainter& painter);
   void toggle_video(ViewerState& state);
   void toggle_recording(ViewerState& state);
+  void toggle_force_log(ViewerState& state);
   void save_fabric(ViewerState& state);
   void follow_events(ViewerState& state);
   std::string free_name(const std::string& stem, const std::string& ending) const;
 
   std::string folder_, version_;
   std::unique_ptr<ViewLogWriter> recording_;
+  std::unique_ptr<ForceLog> forces_;
   class Video;
   std::unique_ptr<Video> video_;
 };

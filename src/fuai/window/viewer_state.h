@@ -86,7 +86,6 @@ struct ViewerState {
   bool browsing = false;  ///< the file panel is open
   std::string browse_folder;
   std::uint64_t built_version = 0;  ///< of the document, that `cloths` were built for
-  std::uint64_t build = 0;          ///< as the session numbers it
   ViewSetup built;                  ///< that setup
   bool hint = true;
 

@@ -158,7 +158,7 @@ bool follow_document(ViewerState& state) {
     study_fabrics(state);
     state.cloths = std::move(cloths);
     state.built = state.document.setup();
-    state.build = state.session->replace(state.cloths, keep);
+    state.session->replace(state.cloths, keep);
     if (!keep) state.forces.clear();
     make_meshes(state);
     return true;
@@ -173,7 +173,7 @@ bool follow_document(ViewerState& state) {
 
 void restart_cloths(ViewerState& state) {
   state.cloths = std::make_shared<ViewCloths>(state.built);
-  state.build = state.session->replace(state.cloths, false);
+  state.session->replace(state.cloths, false);
   state.hands.forget();
   state.forces.clear();
 }

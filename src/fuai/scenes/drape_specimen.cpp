@@ -1,14 +1,13 @@
 // Cuts, clamps and perturbs the specimen.
 // SPDX-License-Identifier: Apache-2.0
-#include "fuai/laboratory/drape_specimen.h"
+#include "fuai/scenes/drape_specimen.h"
 
 #include <array>
 #include <cmath>
 #include <random>
 
-#include "fuai/cloth/cloth_piece.h"
 #include "fuai/core/error.h"
-#include "fuai/laboratory/smooth_noise.h"
+#include "fuai/scenes/smooth_noise.h"
 
 namespace fuai {
 namespace {
@@ -63,14 +62,19 @@ bool fits(const DrapeGeometry& g) noexcept {
   return positive(g.spacing) && g.spacing <= g.overhang() / 3.0 && g.spacing <= 0.25 * g.disc;
 }
 
-ClothModel make_drape_model(const DrapeGeometry& geometry, double areal_mass, std::uint64_t seed,
-                            const DrapePerturbation& perturbation) {
-  check(geometry);
+ClothPieceSpec make_drape_spec(const DrapeGeometry& geometry, double areal_mass) {
   ClothPieceSpec spec;
   spec.outline = make_disc_outline(geometry.specimen);
   spec.spacing = geometry.spacing;
   spec.areal_mass = areal_mass;
   spec.clamps.push_back({DiscRegion{Vec2::Zero(), 0.5 * geometry.disc}, true});
+  return spec;
+}
+
+ClothModel make_drape_model(const DrapeGeometry& geometry, double areal_mass, std::uint64_t seed,
+                            const DrapePerturbation& perturbation) {
+  check(geometry);
+  ClothPieceSpec spec = make_drape_spec(geometry, areal_mass);
   if (perturbation.shift) {
     std::mt19937_64 random(stream_seed(seed, Stream::kShift));
     std::uniform_real_distribution<double> share(0.0, 1.0);

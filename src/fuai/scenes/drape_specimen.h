@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "fuai/cloth/cloth_model.h"
+#include "fuai/cloth/cloth_piece.h"
 
 namespace fuai {
 
@@ -39,6 +40,10 @@ struct DrapePerturbation {
   double density = 0.03;   ///< largest deviation of the areal mass [-]
   double velocity = 0.03;  ///< largest upward or downward speed at the start [m/s]
 };
+
+/// The specimen about (0, 0) without any unevenness, held by a sub-cell clamp within the disc. Sizes are not
+/// checked. @param areal_mass [kg/m2]. Thread class: set-up.
+ClothPieceSpec make_drape_spec(const DrapeGeometry& geometry, double areal_mass);
 
 /// The specimen about (0, 0), held by a sub-cell clamp within the disc, with the cloth of its slots made
 /// heavier and lighter by the perturbation of this seed (the total stays).

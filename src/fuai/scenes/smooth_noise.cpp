@@ -1,6 +1,6 @@
 // Draws the waves.
 // SPDX-License-Identifier: Apache-2.0
-#include "fuai/laboratory/smooth_noise.h"
+#include "fuai/scenes/smooth_noise.h"
 
 #include <algorithm>
 #include <cmath>
