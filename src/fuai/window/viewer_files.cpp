@@ -163,7 +163,7 @@ void ViewerFiles::toggle_video(ViewerState& state) {
 }
 
 void ViewerFiles::start_recording(ViewerState& state, const std::string& path) {
-  recording_ = std::make_unique<ViewLogWriter>(path, state.built, state.session->newest_build());
+  recording_ = std::make_unique<ViewLogWriter>(path, state.built);
   state.recording = true;
 }
 
