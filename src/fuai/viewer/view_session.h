@@ -131,9 +131,11 @@ class ViewSession {
   // ---- the screen's thread ----
   /// @return false when the queue is full (the cloth's thread does not run); the command is then forgotten.
   bool send(const ViewCommand& command) noexcept;
-  /// Other cloths from the next round on. @param keep_shape takes positions, velocities, holds and the memory
-  /// of friction over where scene, lattice and pins are the same; a cloth that was not there before gets the
-  /// shape of the first. @return the build number its snapshots and the event will have.
+  /// Other cloths from the next round on. @param cloths fresh ones: the session steps them on its own thread
+  /// from here on, and only scene() of them may be read elsewhere. @param keep_shape takes positions,
+  /// velocities, holds and the memory of friction over where scene, lattice and pins are the same; a cloth
+  /// that was not there before gets the shape of the first. @return the build number its snapshots and the
+  /// event will have.
   std::uint64_t replace(std::shared_ptr<ViewCloths> cloths, bool keep_shape);
   /// The last number that replace() gave; 0 before the first. What it belongs to may still be on its way.
   std::uint64_t newest_build() const noexcept;

@@ -1,5 +1,6 @@
 // What the window does with its state between pictures: builds cloths, takes snapshots, opens and saves
-// files. SPDX-License-Identifier: Apache-2.0
+// files.
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <string>
