@@ -98,18 +98,6 @@ bool load_functions(VendorLibrary& library, DhdApi& api) {
   return library.loaded() && library.missing_functions().empty();
 }
 
-/// Empty when the library can be used.
-std::string library_problem(const VendorLibrary& library) {
-  if (!library.loaded()) {
-    if (!library.missing_dependency().empty())
-      return "the vendor's library needs " + library.missing_dependency() + ", which is missing";
-    return "the vendor's library was not found: " + library.findings().back().found;
-  }
-  if (!library.missing_functions().empty())
-    return "the vendor's library has no " + library.missing_functions();
-  return {};
-}
-
 std::string vendor_text(const DhdApi& api) {
   const char* const text = api.error_get_last_str();
   return text != nullptr && *text != '\0' ? text : "no reason given";
@@ -159,7 +147,7 @@ DriverReport probe() {
                                true});
   }
   find_usb_devices(kUsbIds, report.findings);
-  report.why_not = library_problem(library);
+  report.why_not = library.problem();
   report.cure = report.why_not.empty() ? "" : kCure;
   if (!usable) return report;
   const int count = api.get_device_count();
@@ -198,7 +186,7 @@ DeviceForceDimension::DeviceForceDimension(const std::string& model, DeviceClock
   check_model(model);
   VendorLibrary library(kDhdLibraryVariable, kNames);
   if (!load_functions(library, api_))
-    throw Error(ErrorKind::kNoDevice, library_problem(library), {"", 0, 0, "device"}, kCure);
+    throw Error(ErrorKind::kNoDevice, library.problem(), {"", 0, 0, "device"}, kCure);
   const int count = api_.get_device_count(), wanted = index_in(model);
   std::string seen;
   for (int i = 0; i < std::min(count, 64); ++i) {

@@ -34,7 +34,7 @@ DeviceDriver simulated_driver() {
 }
 
 std::span<const DeviceDriver> device_drivers() {
-  static const std::array drivers{simulated_driver(), forcedimension_driver()};
+  static const std::array drivers{simulated_driver(), forcedimension_driver(), openhaptics_driver()};
   return drivers;
 }
 

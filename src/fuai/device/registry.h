@@ -59,5 +59,7 @@ std::unique_ptr<Device> open_device(std::string_view name);
 DeviceDriver simulated_driver();
 /// Force Dimension and Falcon, see device_forcedimension.h.
 DeviceDriver forcedimension_driver();
+/// PHANToM and Touch, see device_openhaptics.h.
+DeviceDriver openhaptics_driver();
 
 }  // namespace fuai

@@ -35,4 +35,11 @@ void* VendorLibrary::address(const char* name) const {
   return handle_ == nullptr ? nullptr : ::dlsym(handle_, name);
 }
 
+std::string VendorLibrary::problem() const {
+  if (!missing_dependency_.empty() && !loaded())
+    return "the vendor's library needs " + missing_dependency_ + ", which is missing";
+  if (!loaded()) return "the vendor's library was not found: " + findings_.back().found;
+  return missing_functions_.empty() ? "" : "the vendor's library has no " + missing_functions_;
+}
+
 }  // namespace fuai

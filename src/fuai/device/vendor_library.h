@@ -26,6 +26,10 @@ class VendorLibrary {
   /// Functions asked for with find() and not there, by commas. Thread class: any.
   const std::string& missing_functions() const { return missing_functions_; }
 
+  /// Why it cannot be used, after all find(): not found, a dependency or functions missing; empty when it
+  /// can. Thread class: any.
+  std::string problem() const;
+
   /// Sets `function` to the library's `name`. @return whether it has it; if not, nullptr, and the name is
   /// kept in missing_functions(). Thread class: set-up.
   template <class F>
