@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "fuai/core/error.h"
+#include "fuai/device/device_axes.h"
 #include "fuai/device/device_simulated.h"
 #include "fuai/device/hd_session.h"
 #include "fuai/device/system_findings.h"
@@ -26,9 +27,6 @@ constexpr int kMostErrors = 16;         ///< that are taken a tick
 constexpr std::array<const char*, 3> kUsualNames{"Default Device", "Default PHANToM", nullptr};
 constexpr std::array<UsbId, 3> kUsbIds{
     {{"2988", "0304", "Touch"}, {"2988", "0302", "Touch, older"}, {"2988", "", "3D Systems"}}};
-
-/// Ours from the device's: x right, y up, z towards the user.
-Vec3 from_device(const double (&v)[3]) noexcept { return {v[0], -v[2], v[1]}; }
 
 /// Whose stiffness and damping hold for a model of the vendor's.
 struct Model {
@@ -143,8 +141,9 @@ void DeviceOpenHaptics::make_info() {
   info_.continuous_force = std::min(info_.continuous_force, info_.peak_force);
   double box[6] = {};
   api.get_doublev(kHdUsableWorkspace, box);
-  // Our y is minus its z: the corners change places.
-  const Vec3 low = kMetres * Vec3(box[0], -box[5], box[1]), high = kMetres * Vec3(box[3], -box[2], box[4]);
+  const Vec3 one = kMetres * from_y_up(Vec3(box[0], box[1], box[2]));
+  const Vec3 other = kMetres * from_y_up(Vec3(box[3], box[4], box[5]));
+  const Vec3 low = one.cwiseMin(other), high = one.cwiseMax(other);
   if ((high - low).minCoeff() > 0.0 && (high - low).allFinite()) {
     info_.workspace_low = low;
     info_.workspace_high = high;
@@ -206,14 +205,12 @@ void DeviceOpenHaptics::read_state(DeviceSample& sample) noexcept {
   api.get_doublev(kHdCurrentVelocity, velocity);
   api.get_doublev(kHdCurrentTransform, transform);
   api.get_integerv(kHdCurrentButtons, &buttons);
-  sample.position = kMetres * from_device(position);
-  sample.velocity = kMetres * from_device(velocity);
-  Mat3 turned;  // its columns in our axes; then its axes by ours
+  sample.position = kMetres * from_y_up(Vec3(position[0], position[1], position[2]));
+  sample.velocity = kMetres * from_y_up(Vec3(velocity[0], velocity[1], velocity[2]));
+  Mat3 turn;
   for (int j = 0; j < 3; ++j)
-    turned.col(j) = Vec3(transform[4 * j], -transform[4 * j + 2], transform[4 * j + 1]);
-  sample.orientation.col(0) = turned.col(0);
-  sample.orientation.col(1) = -turned.col(2);
-  sample.orientation.col(2) = turned.col(1);
+    turn.col(j) = Vec3(transform[4 * j], transform[4 * j + 1], transform[4 * j + 2]);
+  sample.orientation = turn_from_y_up(turn);
   sample.buttons = static_cast<std::uint32_t>(buttons);
 }
 
@@ -267,8 +264,8 @@ unsigned DeviceOpenHaptics::tick() noexcept {
     sample.status |= silent_reason_;
   }
   const Vec3 force = wanted_force(now, sample);
-  const double to_device[3] = {force.x(), force.z(), -force.y()};
-  api.set_doublev(kHdCurrentForce, to_device);
+  const Vec3 to_device = to_y_up(force);
+  api.set_doublev(kHdCurrentForce, to_device.data());
   api.end_frame(handle_);
   if (take_errors(sample) && sample.position.allFinite()) {
     samples_.put(sample);

@@ -34,7 +34,8 @@ DeviceDriver simulated_driver() {
 }
 
 std::span<const DeviceDriver> device_drivers() {
-  static const std::array drivers{simulated_driver(), forcedimension_driver(), openhaptics_driver()};
+  static const std::array drivers{simulated_driver(), forcedimension_driver(), openhaptics_driver(),
+                                  vrpn_driver()};
   return drivers;
 }
 

@@ -61,5 +61,7 @@ DeviceDriver simulated_driver();
 DeviceDriver forcedimension_driver();
 /// PHANToM and Touch, see device_openhaptics.h.
 DeviceDriver openhaptics_driver();
+/// Devices behind a VRPN server, see device_vrpn.h.
+DeviceDriver vrpn_driver();
 
 }  // namespace fuai

@@ -1,5 +1,5 @@
-// A library with the names of OpenHaptics' HDAPI: frames, capabilities, calibration, errors, a scheduler that
-// is ticked by hand. SPDX-License-Identifier: Apache-2.0
+// A library with the names of OpenHaptics' HDAPI: frames, calibration, errors, a scheduler ticked by hand.
+// SPDX-License-Identifier: Apache-2.0
 #include "fake_hd.h"
 
 #include <algorithm>
