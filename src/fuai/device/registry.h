@@ -61,6 +61,8 @@ DeviceDriver simulated_driver();
 DeviceDriver forcedimension_driver();
 /// PHANToM and Touch, see device_openhaptics.h.
 DeviceDriver openhaptics_driver();
+/// Haply Inverse3, see device_inverse3.h.
+DeviceDriver inverse3_driver();
 /// Devices behind a VRPN server, see device_vrpn.h.
 DeviceDriver vrpn_driver();
 

@@ -1,5 +1,5 @@
-// The other end of a stream socket, served by hand: on loopback with a port of the system's choice, or by a
-// path. SPDX-License-Identifier: Apache-2.0
+// The other end of a stream socket, served by hand: a free port of loopback, or a path.
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <arpa/inet.h>
