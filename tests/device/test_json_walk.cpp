@@ -61,7 +61,8 @@ nlohmann::json random_json(std::mt19937& random, int depth) {
       return json;
     default:
       json = nlohmann::json::object();
-      for (std::size_t i = below(4); i > 0; --i) json["k" + std::to_string(i)] = random_json(random, depth - 1);
+      for (std::size_t i = below(4); i > 0; --i)
+        json["k" + std::to_string(i)] = random_json(random, depth - 1);
       return json;
   }
 }

@@ -65,5 +65,11 @@ DeviceDriver openhaptics_driver();
 DeviceDriver inverse3_driver();
 /// Devices behind a VRPN server, see device_vrpn.h.
 DeviceDriver vrpn_driver();
+/// 3D mouse, see device_spacenav.h.
+DeviceDriver spacenav_driver();
+/// Gamepad, see device_gamepad.h.
+DeviceDriver gamepad_driver();
+/// Mouse, see device_mouse.h. A window makes its own, to have set().
+DeviceDriver mouse_driver();
 
 }  // namespace fuai
