@@ -3,9 +3,12 @@
 #include <dlfcn.h>
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <limits>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include "fakes/fake_clock.h"
 #include "fakes/fake_hd.h"
@@ -292,6 +295,33 @@ TEST_SUITE("safety") {
 }
 
 TEST_SUITE("realtime") {
+  TEST_CASE("openhaptics: nothing is torn between the vendor's thread and ours") {
+    Bench bench;
+    FakeHdDevice& device = bench.fake->devices[0];
+    const auto touch = std::make_unique<DeviceOpenHaptics>("", steady_seconds);
+    constexpr int kTicks = 20000;
+    std::atomic<bool> done = false;
+    int torn_forces = 0;
+    std::thread vendor([&] {
+      for (int i = 1; i <= kTicks; ++i) {
+        std::fill_n(device.position, 3, static_cast<double>(i % 64));
+        bench.vendor_tick();
+        if (device.force[0] != device.force[1] || device.force[0] != -device.force[2]) ++torn_forces;
+      }
+      done = true;
+    });
+    int torn_samples = 0;
+    for (int i = 0; !done; ++i) {
+      const Vec3 place = touch->read().position;
+      if (place.x() != -place.y() || place.x() != place.z()) ++torn_samples;
+      const double size = 1e-3 * (i % 1000);
+      touch->write({Vec3(size, size, size)});
+    }
+    vendor.join();
+    CHECK(torn_forces == 0);
+    CHECK(torn_samples == 0);
+  }
+
   TEST_CASE("openhaptics: both loops allocate nothing, also when a device is lost and found") {
     Bench bench;
     const auto touch = bench.open();

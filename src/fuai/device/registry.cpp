@@ -35,8 +35,8 @@ DeviceDriver simulated_driver() {
 
 std::span<const DeviceDriver> device_drivers() {
   static const std::array drivers{simulated_driver(), forcedimension_driver(), openhaptics_driver(),
-                                  vrpn_driver(),      spacenav_driver(),       gamepad_driver(),
-                                  mouse_driver()};
+                                  inverse3_driver(),  vrpn_driver(),           spacenav_driver(),
+                                  gamepad_driver(),   mouse_driver()};
   return drivers;
 }
 

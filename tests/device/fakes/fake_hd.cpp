@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <mutex>
 
 using fuai_test::FakeHd;
 using fuai_test::FakeHdDevice;
@@ -23,6 +24,8 @@ struct ErrorInfo {
 FakeHd fake;
 Scheduled scheduled[4];
 unsigned current = 0, error = 0;
+// Held during a tick: whoever stops the scheduler waits for its end, as with the real one.
+std::mutex ticking;
 
 void misuse(unsigned code) {
   ++fake.misuses;
@@ -47,6 +50,7 @@ extern "C" {
 
 FakeHd* fake_hd() { return &fake; }
 void fake_hd_tick() {
+  const std::scoped_lock lock(ticking);
   if (!fake.scheduler_runs || fake.frozen) return;
   for (Scheduled& one : scheduled) {
     if (one.callback == nullptr) continue;
@@ -178,8 +182,14 @@ void hdUpdateCalibration(unsigned style) {
   d->calibration = 0x5000;
 }
 #endif
-void hdStartScheduler() { fake.scheduler_runs = true; }
-void hdStopScheduler() { fake.scheduler_runs = false; }
+void hdStartScheduler() {
+  const std::scoped_lock lock(ticking);
+  fake.scheduler_runs = true;
+}
+void hdStopScheduler() {
+  const std::scoped_lock lock(ticking);
+  fake.scheduler_runs = false;
+}
 void hdSetSchedulerRate(unsigned long rate) { fake.rate = rate; }
 unsigned long hdScheduleAsynchronous(unsigned (*callback)(void*), void* context, unsigned short) {
   for (unsigned long i = 0; i < 4; ++i) {
