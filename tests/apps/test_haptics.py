@@ -25,6 +25,26 @@ class Unit(Case):
         self.assertNotIn("findings", self.json_of("haptics", "devices")["drivers"][0])
         self.assertIn("omega.3", self.run_program("haptics", "devices", "--diagnose").stdout)
 
+    def test_every_driver_is_listed_with_what_it_looked_at(self):
+        # Nobody listens at port 1, and there is no such file.
+        nowhere = {"FUAI_DHD_LIBRARY": "/nowhere/libdrd.so", "FUAI_HD_LIBRARY": "/nowhere/libHD.so",
+                   "FUAI_INVERSE3_ADDRESS": "127.0.0.1:1", "FUAI_VRPN_ADDRESS": "127.0.0.1:1",
+                   "FUAI_SPNAV_SOCKET": str(self.folder / "spnav.sock")}
+        drivers = self.json_of("haptics", "devices", "--diagnose", environment=nowhere)["drivers"]
+        found = {driver["name"]: driver for driver in drivers}
+        self.assertEqual(list(found), ["simulated", "forcedimension", "openhaptics", "inverse3", "vrpn", "spacenav",
+                                       "gamepad", "mouse"])
+        self.assertEqual([name for name, driver in found.items() if driver["force"]],
+                         ["simulated", "forcedimension", "openhaptics", "inverse3", "vrpn"])
+        for name, why in [("forcedimension", "/nowhere/libdrd.so: cannot open shared object file"),
+                          ("openhaptics", "/nowhere/libHD.so: cannot open shared object file"),
+                          ("inverse3", "127.0.0.1:1: Connection refused"), ("vrpn", "127.0.0.1:1: Connection refused"),
+                          ("spacenav", "spnav.sock: No such file or directory")]:
+            self.assertFalse(found[name]["available"])
+            self.assertIn(why, found[name]["why_not"])
+            self.assertNotEqual(found[name]["cure"], "")
+        self.assertTrue(found["mouse"]["available"])
+
     def test_a_felt_scene_has_the_keys_and_the_figures_of_the_contract(self):
         result = self.json_of(*SMALL)
         self.assertEqual(set(result), KEYS)
@@ -66,6 +86,7 @@ class Safety(Case):
             (["haptics", "run"], "add --virtual-time"),
             ([*RUN, "--device", "phantom"], "take one of simulated"),
             ([*RUN, "--device", "simulated:glove"], "take one of premium, touch"),
+            ([*RUN, "--device", "vrpn"], "virtual time is for the simulated device"),
             ([*RUN, "--hand", "foot"], "take one of none, finger"),
             ([*RUN, "--scene", "hanging_sheet"], "nobody holds the cloth"),
             ([*RUN, "--scene", "paper_drape"], "no time to be felt in"),

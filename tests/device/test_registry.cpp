@@ -28,7 +28,7 @@ TEST_SUITE("unit") {
     for (const std::string& model : find_device_driver("simulated").probe().models)
       CHECK(open_device("simulated:" + model)->info().driver == "simulated");
     CHECK(open_device("simulated:touch")->info().peak_force == 3.3);
-    for (const char* wrong : {"simulated:glove", "phantom", ""}) {
+    for (const char* wrong : {"simulated:glove", "phantom", "", "forcedimension:glove"}) {
       try {
         open_device(wrong);
         FAIL("opened");

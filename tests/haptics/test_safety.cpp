@@ -84,13 +84,14 @@ TEST_SUITE("safety") {
       CHECK(bench.tick(Bench::at(Vec3::Zero()), kTick).force.norm() <= 3.0 * i / 500.0 * (1.0 + 1e-9));
   }
 
-  TEST_CASE("unplugged at any tick: no force from that tick on, and the ramp after plugging in") {
+  TEST_CASE("unplugged at any tick, or switched off: no force from that tick on, and the ramp afterwards") {
+    const std::uint32_t reasons[] = {kDeviceDisconnected, kDeviceUncalibrated, kDeviceForceOff};
     for (int when : {1, 7, 300, 501, 650}) {
       Bench bench;
       for (int i = 0; i < when; ++i) bench.tick(Bench::at(Vec3::Zero()), kTick);
       DeviceSample away = Bench::at(Vec3::Zero());
-      away.status = kDeviceDisconnected;
-      for (int i = 0; i < 5; ++i) {
+      for (int i = 0; i < 6; ++i) {
+        away.status = reasons[i % 3];
         const ForceTick tick = bench.tick(away, kTick);
         CHECK(tick.force == Vec3::Zero());
         CHECK((tick.status & kForceDeviceAway) != 0);

@@ -38,11 +38,12 @@ struct DeviceInfo {
 /// What a device says about itself; bits.
 enum DeviceStatus : std::uint32_t {
   kDeviceReady = 0,
-  kDeviceDisconnected = 1,  ///< unplugged or powered off: samples are stale, commands go nowhere
-  kDeviceSaturated = 2,     ///< the last command was larger than it gives
-  kDeviceWarm = 4,          ///< its motors are at their limit: it gives less than asked
-  kDeviceTimedOut = 8,      ///< no command came in time: it gives no force
-  kDeviceUncalibrated = 16  ///< positions are not to be trusted yet
+  kDeviceDisconnected = 1,   ///< unplugged or powered off: samples are stale, commands go nowhere
+  kDeviceSaturated = 2,      ///< the last command was larger than it gives
+  kDeviceWarm = 4,           ///< its motors are at their limit: it gives less than asked
+  kDeviceTimedOut = 8,       ///< no command came in time: it gives no force
+  kDeviceUncalibrated = 16,  ///< positions are not to be trusted yet
+  kDeviceForceOff = 32       ///< it gives no force until its user or its maker's program switches it on
 };
 
 /// Where the hand is.

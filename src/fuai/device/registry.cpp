@@ -34,7 +34,9 @@ DeviceDriver simulated_driver() {
 }
 
 std::span<const DeviceDriver> device_drivers() {
-  static const std::array drivers{simulated_driver()};
+  static const std::array drivers{simulated_driver(), forcedimension_driver(), openhaptics_driver(),
+                                  inverse3_driver(),  vrpn_driver(),           spacenav_driver(),
+                                  gamepad_driver(),   mouse_driver()};
   return drivers;
 }
 
@@ -51,12 +53,6 @@ const DeviceDriver& find_device_driver(std::string_view name) {
 std::unique_ptr<Device> open_device(std::string_view name) {
   const std::size_t colon = name.find(':');
   const DeviceDriver& driver = find_device_driver(name.substr(0, colon));
-  const DriverReport report = driver.probe();
-  if (!report.available) {
-    throw Error(ErrorKind::kNoDevice,
-                "the driver '" + std::string(driver.name) + "' is unavailable: " + report.why_not,
-                {"", 0, 0, "device"}, report.cure);
-  }
   return driver.open({colon == std::string_view::npos ? "" : std::string(name.substr(colon + 1))});
 }
 

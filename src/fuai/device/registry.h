@@ -42,8 +42,8 @@ struct DeviceDriver {
   bool force = false;            ///< it can give force; else input only
   /// Looks; opens nothing, never throws for what it finds. Thread class: set-up.
   DriverReport (*probe)();
-  /// @throws Error (kNoDevice) with the vendor's own text where there is one; (kUsage) for a model that does
-  /// not exist. Thread class: set-up.
+  /// @throws Error (kNoDevice) with the reason, the vendor's own text where there is one, and a cure;
+  /// (kUsage) for a model that does not exist. Thread class: set-up.
   std::unique_ptr<Device> (*open)(const DeviceRequest& request);
 };
 
@@ -51,11 +51,25 @@ struct DeviceDriver {
 std::span<const DeviceDriver> device_drivers();
 /// @throws Error (kUsage) with all names for a driver that does not exist. Thread class: set-up.
 const DeviceDriver& find_device_driver(std::string_view name);
-/// Opens a device; "driver" or "driver:model". @throws Error as DeviceDriver::open, and (kNoDevice) with the
-/// reason and the cure when the driver is unavailable. Thread class: set-up.
+/// Opens a device; "driver" or "driver:model". @throws Error as find_device_driver and DeviceDriver::open do.
+/// Thread class: set-up.
 std::unique_ptr<Device> open_device(std::string_view name);
 
 /// The driver of computed devices, see device_simulated.h. The hand it opens with rests in the middle.
 DeviceDriver simulated_driver();
+/// Force Dimension and Falcon, see device_forcedimension.h.
+DeviceDriver forcedimension_driver();
+/// PHANToM and Touch, see device_openhaptics.h.
+DeviceDriver openhaptics_driver();
+/// Haply Inverse3, see device_inverse3.h.
+DeviceDriver inverse3_driver();
+/// Devices behind a VRPN server, see device_vrpn.h.
+DeviceDriver vrpn_driver();
+/// 3D mouse, see device_spacenav.h.
+DeviceDriver spacenav_driver();
+/// Gamepad, see device_gamepad.h.
+DeviceDriver gamepad_driver();
+/// Mouse, see device_mouse.h. A window makes its own, to have set().
+DeviceDriver mouse_driver();
 
 }  // namespace fuai

@@ -59,7 +59,7 @@ bool ForcePath::accept(const DeviceSample& sample, double dt) noexcept {
     ++counters_.late;
     return false;
   }
-  if ((sample.status & (kDeviceDisconnected | kDeviceUncalibrated)) != 0) {
+  if ((sample.status & (kDeviceDisconnected | kDeviceUncalibrated | kDeviceForceOff)) != 0) {
     status_ |= kForceDeviceAway;
     return false;
   }

@@ -177,8 +177,9 @@ void ViewerFiles::toggle_recording(ViewerState& state) {
   try_files(state, [&] {
     const std::string path = free_name("fuai", ".fuai-view");
     // A recording begins where new cloths take over.
-    restart_cloths(state);
     start_recording(state, path);
+    restart_cloths(state);
+    setup_changed(state);
     state.say(path);
   });
 }
