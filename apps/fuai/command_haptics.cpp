@@ -11,15 +11,15 @@
 #include <vector>
 
 #include "commands.h"
+#include "felt_setup.h"
 #include "fuai/core/error.h"
 #include "fuai/core/hash.h"
 #include "fuai/device/registry.h"
-#include "fuai/haptics/cloth_hand.h"
 #include "fuai/haptics/force_error.h"
 #include "fuai/haptics/virtual_session.h"
-#include "fuai/io/fabric_library.h"
 #include "fuai/io/text_file.h"
 #include "scene_options.h"
+#include "session_files.h"
 
 namespace fuai_app {
 
@@ -28,21 +28,17 @@ using namespace fuai;
 namespace {
 
 struct RunOptions {
+  RunOptions() { setup.scene = "grasp_and_lift"; }
   std::string device = "simulated";
-  std::string scene = "grasp_and_lift";
-  std::string fabric = "cupro-woven-su1098";
+  SceneSetup setup;
   std::string hand = "arm";
-  std::string seconds;  ///< with unit or bare; empty: the scene's own and the ramp
-  int size = 0;
-  std::string spacing;
+  std::string seconds;    ///< with unit or bare; empty: the scene's own and the ramp
   int cloth_rate = 1000;  ///< [Hz]
   std::string force_gain = "1";
   std::string record;
   bool no_reference = false, no_controller = false, virtual_time = false;
 };
 
-/// The program's own tick [s]: every preset does at least this rate.
-constexpr double kTick = 1e-3;
 /// Rest before the scene's motion begins, so that it is felt at full force: the ramp [s].
 const double kRest = SafetyOptions{}.ramp;
 /// Part of the device's workspace that the hand's way is to fill.
@@ -91,13 +87,13 @@ const SimulatedDeviceSpec& simulated_spec(const std::string& device) {
   return find_device_preset(device.substr(colon + 1));
 }
 
-/// The way of the scene's hand, from where it begins [m] (ticks), after a rest.
-std::vector<Vec3> hand_way(const EngineScene& scene, std::int64_t ticks) {
+/// The way of a scene's hand, from where it begins [m] (ticks), after a rest.
+std::vector<Vec3> hand_way(const EngineScene& scene, std::size_t hand, std::int64_t ticks) {
   std::vector<Vec3> way;
-  const Vec3 start = scene.motion->hand(0, 0.0).position;
+  const Vec3 start = scene.motion->hand(hand, 0.0).position;
   for (std::int64_t i = 0; i <= ticks; ++i) {
     const double time = std::max(0.0, static_cast<double>(i) * kTick - kRest);
-    way.push_back(scene.motion->hand(0, time).position - start);
+    way.push_back(scene.motion->hand(hand, time).position - start);
   }
   return way;
 }
@@ -129,48 +125,57 @@ struct Result {
 
 /// A run to be done.
 struct Plan {
+  FeltSetup setup;
   std::int64_t ticks = 0;
-  double force_gain = 1.0, cloth_period = 0.0;
-  GraspSpec grasp;
-  std::vector<Vec3> way;  ///< of the hand in the cloth's coordinates [m] (ticks)
-  Fit fit;
+  std::vector<std::vector<Vec3>> ways;  ///< of the hands' devices [m] (hands, ticks)
+  RecordForm record = RecordForm::kNone;
 };
 
-Result run_plan(const Console& console, const RunOptions& options, const EngineScene& scene,
-                const Plan& plan) {
-  SimulatedDeviceSpec spec = simulated_spec(options.device);
-  spec.info.rate = 1.0 / kTick;
-  ClothHandOptions answer;
-  answer.tangent = plan.cloth_period > 0.0;
-  const ClothSolverOptions solver{SolverKind::kImplicit, make_felt_options(scene.options.implicit), 0};
-  ClothHand cloth(scene.model, scene.material, solver, scene.start, plan.grasp, answer);
+/// Devices, hands and paths of a run.
+struct FeltHands {
+  std::vector<std::unique_ptr<SimulatedDevice>> devices;
+  std::vector<std::unique_ptr<ForcePath>> paths;
+  std::vector<SessionHand> views;
+};
 
-  std::vector<Vec3> way = plan.way;
-  for (Vec3& place : way) place = (place - plan.fit.middle) / plan.fit.scale;
-  ForcePathOptions path_options = make_force_path_options(spec.info);
-  path_options.passivity.control = !options.no_controller;
-  path_options.map.scale = plan.fit.scale;
-  path_options.map.force_gain = plan.force_gain;
-  path_options.map.device_centre = way.front();
-  path_options.map.cloth_centre = cloth.patch();
-  SimulatedDevice device(spec, find_hand_model(options.hand), make_path_motion(std::move(way), kTick));
-  ForcePath path(path_options);
-  VirtualSession session(device, path, cloth,
-                         {plan.cloth_period, plan.cloth_period, static_cast<std::size_t>(plan.ticks)});
+FeltHands make_hands(const RunOptions& options, const Plan& plan, const ClothHand& cloth) {
+  FeltHands hands;
+  SimulatedDeviceSpec spec = simulated_spec(options.device);
+  spec.info = plan.setup.device;
+  for (std::size_t i = 0; i < plan.ways.size(); ++i) {
+    hands.devices.push_back(std::make_unique<SimulatedDevice>(spec, find_hand_model(options.hand),
+                                                              make_path_motion(plan.ways[i], kTick)));
+    hands.paths.push_back(std::make_unique<ForcePath>(make_path_options(plan.setup, cloth, i)));
+    hands.views.push_back({hands.devices.back().get(), hands.paths.back().get()});
+  }
+  return hands;
+}
+
+/// @param listener hears of everything; may be null
+Result run_plan(const Console& console, const RunOptions& options, const EngineScene& scene, const Plan& plan,
+                SessionListener* listener) {
+  const std::unique_ptr<ClothHand> cloth = make_cloth(scene, plan.setup);
+  const FeltHands hands = make_hands(options, plan, *cloth);
+  const double period = plan.setup.cloth_period;
+  VirtualSession session(hands.views, *cloth,
+                         {period, period, static_cast<std::size_t>(plan.ticks), listener});
   const Progress progress = console.progress();
   for (std::int64_t i = 0; i < plan.ticks; ++i) {
-    path.hold(scene.motion->hand(0, std::max(0.0, static_cast<double>(i + 1) * kTick - kRest)).holds);
+    const double time = std::max(0.0, static_cast<double>(i + 1) * kTick - kRest);
+    for (std::size_t hand = 0; hand < hands.paths.size(); ++hand)
+      hands.paths[hand]->hold(scene.motion->hand(hand, time).holds);
     session.tick(kTick);
     if (progress && i % 16 == 0)
       progress("hand in " + scene.name, static_cast<double>(i) / static_cast<double>(plan.ticks));
   }
-  Result result{session.records(),     path.counters(),      path.map(),
-                session.cloth_steps(), cloth.failed_steps(), cloth.simulation().read().state_hash,
+  const ForcePath& first = *hands.paths.front();
+  Result result{session.records(),     first.counters(),      first.map(),
+                session.cloth_steps(), cloth->failed_steps(), cloth->simulation().read().state_hash,
                 std::nullopt};
-  if (options.no_reference) return result;
-  const std::vector<Vec3> reference =
-      converged_forces({&scene.model, &scene.material, scene.options.implicit, &scene.start, plan.grasp},
-                       result.records, progress);
+  if (options.no_reference || hands.paths.size() > 1) return result;
+  const std::vector<Vec3> reference = converged_forces(
+      {&scene.model, &scene.material, scene.options.implicit, &scene.start, make_grasp(scene, plan.setup, 0)},
+      result.records, progress);
   result.error = compare_forces(result.records, reference, result.map);
   return result;
 }
@@ -183,7 +188,7 @@ void add_row(std::string& text, const TickRecord& record) {
   };
   cell(record.time);
   cell(record.dt);
-  for (const Vec3& v : {record.device, record.tool, record.tick.force, record.tick.model_force})
+  for (const Vec3& v : {record.sample.position, record.tool, record.tick.force, record.tick.model_force})
     for (int i = 0; i < 3; ++i) cell(v[i]);
   cell(record.tick.energy);
   text += std::to_string(record.tick.model) + ",";
@@ -212,13 +217,13 @@ JsonValue report_of(const RunOptions& options, const Plan& plan, const Result& r
   json.set("failed_steps", static_cast<std::int64_t>(result.failed_steps));
   json.set("state_hash", hash_text(result.state_hash));
   json.set("device", simulated_spec(options.device).info.model).set("hand", options.hand);
-  return json.set("scene", options.scene).set("virtual_time", true);
+  return json.set("scene", options.setup.scene).set("virtual_time", true);
 }
 
 void print_report(const Console& console, const RunOptions& options, const Plan& plan, const Result& result) {
   const SessionFigures figures = read_figures(result.records);
-  console.line(options.scene + " felt with " + simulated_spec(options.device).info.model + " in hand '" +
-               options.hand + "': " + std::to_string(plan.ticks) + " ticks in virtual time");
+  console.line(options.setup.scene + " felt with " + simulated_spec(options.device).info.model +
+               " in hand '" + options.hand + "': " + std::to_string(plan.ticks) + " ticks in virtual time");
   console.line("workspace     " + format_number(result.map.scale) +
                " m of cloth to a metre of the device, force times " + format_number(result.map.force_gain));
   console.line("force         " + format_number(figures.force_rms) + " N rms, " +
@@ -234,6 +239,15 @@ void print_report(const Console& console, const RunOptions& options, const Plan&
                format_number(1e3 * figures.model_age[2]) + " ms at most");
 }
 
+double force_gain_of(const RunOptions& options) {
+  double gain = 1.0;
+  const char *begin = options.force_gain.data(), *end = begin + options.force_gain.size();
+  const std::from_chars_result read = std::from_chars(begin, end, gain);
+  if (read.ec == std::errc{} && read.ptr == end && gain >= 0.01 && gain <= 100.0) return gain;
+  throw Error(ErrorKind::kUsage, "--force-gain: '" + options.force_gain + "' is no gain", {},
+              "take 0.01 to 100");
+}
+
 Plan make_plan(const RunOptions& options, const EngineScene& scene) {
   Plan plan;
   const double seconds =
@@ -241,20 +255,26 @@ Plan make_plan(const RunOptions& options, const EngineScene& scene) {
   if (!(seconds > 0.0))
     throw Error(ErrorKind::kUsage, "--seconds must be more than 0", {}, "give a time such as 2s");
   plan.ticks = steps_of(seconds, kTick, "--seconds");
-  const char *begin = options.force_gain.data(), *end = begin + options.force_gain.size();
-  const std::from_chars_result read = std::from_chars(begin, end, plan.force_gain);
-  if (read.ec != std::errc{} || read.ptr != end || !(plan.force_gain >= 0.01 && plan.force_gain <= 100.0)) {
-    throw Error(ErrorKind::kUsage, "--force-gain: '" + options.force_gain + "' is no gain", {},
-                "take 0.01 to 100");
+  plan.record = record_form(options.record);
+  FeltSetup& setup = plan.setup;
+  setup.scene = options.setup;
+  setup.force_gain = force_gain_of(options);
+  setup.cloth_period = options.cloth_rate >= 1000 ? 0.0 : 1.0 / options.cloth_rate;
+  setup.control = !options.no_controller;
+  setup.device = simulated_spec(options.device).info;
+  setup.device.rate = 1.0 / kTick;
+  std::vector<Fit> fits;
+  for (std::size_t hand = 0; hand < scene.hands.size(); ++hand) {
+    plan.ways.push_back(hand_way(scene, hand, plan.ticks));
+    fits.push_back(fit_way(plan.ways.back(), setup.device));
+    setup.scale = std::max(setup.scale, fits.back().scale);
   }
-  plan.cloth_period = options.cloth_rate >= 1000 ? 0.0 : 1.0 / options.cloth_rate;
-  plan.way = hand_way(scene, plan.ticks);
-  const DeviceInfo& info = simulated_spec(options.device).info;
-  plan.fit = fit_way(plan.way, info);
-  plan.grasp = scene.hands.front();
+  for (std::size_t hand = 0; hand < scene.hands.size(); ++hand) {
+    for (Vec3& place : plan.ways[hand]) place = (place - fits[hand].middle) / setup.scale;
+    setup.device_centres.push_back(plan.ways[hand].front());
+  }
   // The hold is the coupling: felt gain times scale stiffer than it is, and the device must render that.
-  plan.grasp.stiffness =
-      std::min(plan.grasp.stiffness, info.stable_stiffness / (plan.force_gain * plan.fit.scale));
+  setup.hold_stiffness = setup.device.stable_stiffness / (setup.force_gain * setup.scale);
   return plan;
 }
 
@@ -267,31 +287,27 @@ int run_run(const Console& console, const RunOptions& options) {
   }
   simulated_spec(options.device);
   find_hand_model(options.hand);
-  if (named_scene(options.scene).kind == SceneKind::kPaper)
+  if (named_scene(options.setup.scene).kind == SceneKind::kPaper)
     throw Error(ErrorKind::kUsage,
-                "'" + options.scene + "' is a scene of the paper, which has no time to be felt in", {},
+                "'" + options.setup.scene + "' is a scene of the paper, which has no time to be felt in", {},
                 "take grasp_and_lift, taut_patch or bending");
-  if (!options.record.empty()) {
-    if (!options.record.ends_with(".csv"))
-      throw Error(ErrorKind::kUsage, "--record: records are CSV files, got '" + options.record + "'", {},
-                  "end the name in .csv");
-    check_can_write(options.record);
-  }
-  const Fabric fabric = load_fabric(options.fabric);
-  for (const std::string& warning : fabric.warnings) console.warn(warning);
-  const EngineScene scene = make_engine_scene(options.scene, make_fabric_laws(fabric),
-                                              scene_options(options.size, options.spacing));
+  record_form(options.record);
+  const auto [fabric, scene] = build_scene(console, options.setup);
   if (scene.hands.empty() || !scene.motion)
-    throw Error(ErrorKind::kUsage, "nobody holds the cloth of '" + options.scene + "'", {},
+    throw Error(ErrorKind::kUsage, "nobody holds the cloth of '" + options.setup.scene + "'", {},
                 "take grasp_and_lift, taut_patch or bending");
   const Plan plan = make_plan(options, scene);
-  const Result result = run_plan(console, options, scene, plan);
-  if (!options.record.empty()) {
+  std::unique_ptr<LogRecorder> log;
+  if (plan.record == RecordForm::kLog)
+    log = std::make_unique<LogRecorder>(options.record, felt_info(plan.setup, fabric), true);
+  const Result result = run_plan(console, options, scene, plan, log ? &log->listener() : nullptr);
+  if (log) log->finish(result.state_hash);
+  if (plan.record == RecordForm::kTable) {
     std::string text = kRecordHead;
     for (const TickRecord& record : result.records) add_row(text, record);
     write_atomically(options.record, text);
-    console.say("wrote " + options.record);
   }
+  if (plan.record != RecordForm::kNone) console.say("wrote " + options.record);
   print_report(console, options, plan, result);
   JsonValue json = report_of(options, plan, result);
   console.result(json.set("fabric", fabric.id));
@@ -308,20 +324,21 @@ void declare_run(const Command& parent) {
       "Feel a scene: a device's hand goes the way of the scene's; force, error, energy, age of the model");
   command.option("--device", options->device,
                  "Driver, or driver:model, as `fuai haptics devices --diagnose` lists them");
-  command.option("--scene", options->scene, "A scene in which somebody holds the cloth");
-  command.option("--fabric", options->fabric, "Bundled name or path of a fabric file");
+  command.option("--scene", options->setup.scene, "A scene in which somebody holds the cloth");
+  command.option("--fabric", options->setup.fabric, "Bundled name or path of a fabric file");
   std::string hands = "Who holds the simulated device:";
   for (const HandModel& hand : hand_models()) hands.append(" ").append(hand.name);
   command.option("--hand", options->hand, hands);
   command.option("--seconds", options->seconds,
                  "How long; a number of seconds or a time such as 500ms. Default: the scene's own and 0.5 s");
-  declare_size(command, options->size, options->spacing);
+  declare_size(command, options->setup.size, options->setup.spacing);
   command
       .option("--cloth-rate", options->cloth_rate,
               "Steps of the cloth a second; below 1000 a tangent serves in between")
       .range(30, 1000);
   command.option("--force-gain", options->force_gain, "Newtons of the device to a newton of the cloth");
-  command.option("--record", options->record, "CSV file with a row a tick");
+  command.option("--record", options->record,
+                 "CSV file with a row a tick; or, in .fuailog, a recording that `fuai replay` runs again");
   command.flag("--no-reference", options->no_reference,
                "Leave out the converged solve, which takes most of the time, and with it the force error");
   command.flag("--no-controller", options->no_controller, "Let the passivity controller only observe");

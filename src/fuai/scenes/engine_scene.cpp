@@ -30,28 +30,36 @@ Vec3 SceneMotion::fixed_move(const Vec3& /*start*/, double /*time*/) const noexc
 
 StepReport drive(ClothSimulation& simulation, const EngineScene& scene, SceneHolds& holds,
                  double dt) noexcept {
-  if (!scene.motion) return simulation.step(dt);
-  const double now = simulation.time(), then = now + dt;
-  // Hands: let go, grip where the hand was at the start of the tick, carry.
+  std::array<HandMoment, kMostHands> now, then;
   const std::size_t hands = std::min(scene.hands.size(), kMostHands);
-  for (std::size_t i = 0; i < hands; ++i) {
-    const HandMoment moment = scene.motion->hand(i, then);
+  for (std::size_t i = 0; scene.motion && i < hands; ++i) {
+    now[i] = scene.motion->hand(i, simulation.time());
+    then[i] = scene.motion->hand(i, simulation.time() + dt);
+  }
+  return drive(simulation, scene, holds, {now.data(), hands}, {then.data(), hands}, dt);
+}
+
+StepReport drive(ClothSimulation& simulation, const EngineScene& scene, SceneHolds& holds,
+                 std::span<const HandMoment> now, std::span<const HandMoment> then, double dt) noexcept {
+  // Hands: let go, grip where the hand was at the start of the tick, carry.
+  for (std::size_t i = 0; i < std::min(now.size(), then.size()); ++i) {
     int& hold = holds.holds[i];
-    if (!moment.holds) {
+    if (!then[i].holds) {
       simulation.release(hold);
       hold = -1;
       continue;
     }
-    if (hold < 0) hold = simulation.grasp(scene.hands[i], scene.motion->hand(i, now).position);
-    simulation.move_grasp(hold, moment.position, moment.rotation);
+    if (hold < 0) hold = simulation.grasp(scene.hands[i], now[i].position);
+    simulation.move_grasp(hold, then[i].position, then[i].rotation);
   }
   // Pins.
-  if (scene.motion->moves_fixed()) {
+  if (scene.motion && scene.motion->moves_fixed()) {
+    const double end = simulation.time() + dt;
     const std::vector<Vec3>& start = scene.start.positions;
     for (std::size_t slot = 0; slot < start.size(); ++slot) {
       if (scene.model.fixed[slot] == 0) continue;
       simulation.place_fixed(static_cast<int>(slot),
-                             start[slot] + scene.motion->fixed_move(start[slot], then));
+                             start[slot] + scene.motion->fixed_move(start[slot], end));
     }
   }
   return simulation.step(dt);
