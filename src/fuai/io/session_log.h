@@ -1,5 +1,6 @@
-// Recordings of sessions: one record a tick, one a step of the cloth, in blocks that a torn tail cannot
-// spoil. SPDX-License-Identifier: Apache-2.0 Source: docs/theory/force-path.md, "Recording".
+// Recordings of sessions: a record a tick and one a step of the cloth, in blocks that keep a torn tail apart.
+// SPDX-License-Identifier: Apache-2.0
+// Source: docs/theory/force-path.md, "Recording".
 //
 //   "fuai-log" | u32 version | u32 bytes of the text | u64 checksum of the text | text (JSON: SessionLogInfo)
 //   block* :   u32 kBlockMark | u16 kind | u16 records | u64 number | u64 checksum | records | zeros
