@@ -11,15 +11,15 @@
 #include <vector>
 
 #include "commands.h"
+#include "felt_run.h"
 #include "fuai/core/error.h"
 #include "fuai/core/hash.h"
 #include "fuai/device/registry.h"
-#include "fuai/haptics/cloth_hand.h"
 #include "fuai/haptics/force_error.h"
 #include "fuai/haptics/virtual_session.h"
-#include "fuai/io/fabric_library.h"
 #include "fuai/io/text_file.h"
 #include "scene_options.h"
+#include "session_files.h"
 
 namespace fuai_app {
 
@@ -28,25 +28,20 @@ using namespace fuai;
 namespace {
 
 struct RunOptions {
+  RunOptions() { setup.scene = "grasp_and_lift"; }
   std::string device = "simulated";
-  std::string scene = "grasp_and_lift";
-  std::string fabric = "cupro-woven-su1098";
+  SceneSetup setup;
   std::string hand = "arm";
-  std::string seconds;  ///< with unit or bare; empty: the scene's own and the ramp
-  int size = 0;
-  std::string spacing;
+  std::string seconds;    ///< with unit or bare; empty: the scene's own and the ramp
   int cloth_rate = 1000;  ///< [Hz]
   std::string force_gain = "1";
   std::string record;
+  std::string hold;  ///< empty: the scene with a simulated hand, else the device's buttons
   bool no_reference = false, no_controller = false, virtual_time = false;
 };
 
-/// The program's own tick [s]: every preset does at least this rate.
-constexpr double kTick = 1e-3;
-/// Rest before the scene's motion begins, so that it is felt at full force: the ramp [s].
-const double kRest = SafetyOptions{}.ramp;
-/// Part of the device's workspace that the hand's way is to fill.
-constexpr double kFill = 0.8;
+/// A hand of flesh grips cloth that is no farther from the tool [m]: two fingertips.
+constexpr double kReach = 0.02;
 constexpr const char* kRecordHead =
     "time_s,dt_s,device_x_m,device_y_m,device_z_m,tool_x_m,tool_y_m,tool_z_m,force_x_N,force_y_N,force_z_N,"
     "model_force_x_N,model_force_y_N,model_force_z_N,energy_J,model,model_age_s,gain,status\n";
@@ -79,102 +74,6 @@ int run_devices(const Console& console, bool diagnose) {
   return 0;
 }
 
-/// "simulated:touch" -> the preset. @throws Error (kUsage).
-const SimulatedDeviceSpec& simulated_spec(const std::string& device) {
-  const std::size_t colon = device.find(':');
-  const DeviceDriver& driver = find_device_driver(device.substr(0, colon));
-  if (driver.name != "simulated") {
-    throw Error(ErrorKind::kUsage, "virtual time is for the simulated device, not '" + device + "'", {},
-                "take --device simulated");
-  }
-  if (colon == std::string::npos) return device_presets().front().spec;
-  return find_device_preset(device.substr(colon + 1));
-}
-
-/// The way of the scene's hand, from where it begins [m] (ticks), after a rest.
-std::vector<Vec3> hand_way(const EngineScene& scene, std::int64_t ticks) {
-  std::vector<Vec3> way;
-  const Vec3 start = scene.motion->hand(0, 0.0).position;
-  for (std::int64_t i = 0; i <= ticks; ++i) {
-    const double time = std::max(0.0, static_cast<double>(i) * kTick - kRest);
-    way.push_back(scene.motion->hand(0, time).position - start);
-  }
-  return way;
-}
-
-/// Centre of a way, and metres of it to a metre of the device so that it fits; at least 1: nobody wants a
-/// small motion of the hand made smaller.
-struct Fit {
-  Vec3 middle = Vec3::Zero();
-  double scale = 1.0;
-};
-Fit fit_way(const std::vector<Vec3>& way, const DeviceInfo& info) {
-  Vec3 low = way.front(), high = way.front();
-  for (const Vec3& place : way) {
-    low = low.cwiseMin(place);
-    high = high.cwiseMax(place);
-  }
-  const Vec3 room = kFill * (info.workspace_high - info.workspace_low);
-  return {0.5 * (low + high), std::max(1.0, (high - low).cwiseQuotient(room).maxCoeff())};
-}
-
-/// What a run was.
-struct Result {
-  std::vector<TickRecord> records;
-  ForceCounters counters;
-  WorkspaceMap map;
-  std::uint64_t cloth_steps = 0, failed_steps = 0, state_hash = 0;
-  std::optional<ForceError> error;
-};
-
-/// A run to be done.
-struct Plan {
-  std::int64_t ticks = 0;
-  double force_gain = 1.0, cloth_period = 0.0;
-  GraspSpec grasp;
-  std::vector<Vec3> way;  ///< of the hand in the cloth's coordinates [m] (ticks)
-  Fit fit;
-};
-
-Result run_plan(const Console& console, const RunOptions& options, const EngineScene& scene,
-                const Plan& plan) {
-  SimulatedDeviceSpec spec = simulated_spec(options.device);
-  spec.info.rate = 1.0 / kTick;
-  ClothHandOptions answer;
-  answer.tangent = plan.cloth_period > 0.0;
-  const ClothSolverOptions solver{SolverKind::kImplicit, make_felt_options(scene.options.implicit), 0};
-  ClothHand cloth(scene.model, scene.material, solver, scene.start, plan.grasp, answer);
-
-  std::vector<Vec3> way = plan.way;
-  for (Vec3& place : way) place = (place - plan.fit.middle) / plan.fit.scale;
-  ForcePathOptions path_options = make_force_path_options(spec.info);
-  path_options.passivity.control = !options.no_controller;
-  path_options.map.scale = plan.fit.scale;
-  path_options.map.force_gain = plan.force_gain;
-  path_options.map.device_centre = way.front();
-  path_options.map.cloth_centre = cloth.patch();
-  SimulatedDevice device(spec, find_hand_model(options.hand), make_path_motion(std::move(way), kTick));
-  ForcePath path(path_options);
-  VirtualSession session(device, path, cloth,
-                         {plan.cloth_period, plan.cloth_period, static_cast<std::size_t>(plan.ticks)});
-  const Progress progress = console.progress();
-  for (std::int64_t i = 0; i < plan.ticks; ++i) {
-    path.hold(scene.motion->hand(0, std::max(0.0, static_cast<double>(i + 1) * kTick - kRest)).holds);
-    session.tick(kTick);
-    if (progress && i % 16 == 0)
-      progress("hand in " + scene.name, static_cast<double>(i) / static_cast<double>(plan.ticks));
-  }
-  Result result{session.records(),     path.counters(),      path.map(),
-                session.cloth_steps(), cloth.failed_steps(), cloth.simulation().read().state_hash,
-                std::nullopt};
-  if (options.no_reference) return result;
-  const std::vector<Vec3> reference =
-      converged_forces({&scene.model, &scene.material, scene.options.implicit, &scene.start, plan.grasp},
-                       result.records, progress);
-  result.error = compare_forces(result.records, reference, result.map);
-  return result;
-}
-
 void add_row(std::string& text, const TickRecord& record) {
   const auto cell = [&](double value) {
     char number[40];
@@ -183,7 +82,7 @@ void add_row(std::string& text, const TickRecord& record) {
   };
   cell(record.time);
   cell(record.dt);
-  for (const Vec3& v : {record.device, record.tool, record.tick.force, record.tick.model_force})
+  for (const Vec3& v : {record.sample.position, record.tool, record.tick.force, record.tick.model_force})
     for (int i = 0; i < 3; ++i) cell(v[i]);
   cell(record.tick.energy);
   text += std::to_string(record.tick.model) + ",";
@@ -192,10 +91,30 @@ void add_row(std::string& text, const TickRecord& record) {
   text += std::to_string(record.tick.status) + "\n";
 }
 
-JsonValue report_of(const RunOptions& options, const Plan& plan, const Result& result) {
+/// What the clock did; null in virtual time.
+JsonValue clock_of(const std::optional<RealtimeReport>& report) {
+  if (!report) return {};
+  JsonValue bins{JsonValue::Array{}}, refused{JsonValue::Array{}};
+  for (std::size_t i = 0; i < kLatenessBins; ++i) {
+    const double bound = lateness_bound(i);
+    bins.push(JsonValue()
+                  .set("below_us", std::isfinite(bound) ? JsonValue(1e6 * bound) : JsonValue())
+                  .set("ticks", static_cast<std::int64_t>(report->lateness[i])));
+  }
+  for (const std::string& line : report->refused) refused.push(line);
+  JsonValue json;
+  json.set("lateness", std::move(bins)).set("worst_lateness_us", 1e6 * report->worst_lateness);
+  json.set("longest_tick_us", 1e6 * report->busy_worst);
+  json.set("cloth_overruns", static_cast<std::int64_t>(report->cloth_overruns));
+  return json.set("refused", std::move(refused));
+}
+
+JsonValue report_of(const FeltPlan& plan, const FeltResult& result) {
   const SessionFigures figures = read_figures(result.records);
   JsonValue json;
-  json.set("ticks", plan.ticks).set("overruns", static_cast<std::int64_t>(result.counters.late));
+  const std::uint64_t overruns = result.realtime ? result.realtime->overruns : result.counters.late;
+  json.set("ticks", static_cast<std::int64_t>(result.counters.ticks));
+  json.set("overruns", static_cast<std::int64_t>(overruns));
   json.set("force_rms_N", figures.force_rms).set("force_peak_N", figures.force_peak);
   JsonValue error;
   if (result.error) error.set("rms", 100.0 * result.error->rms).set("peak", 100.0 * result.error->peak);
@@ -210,15 +129,33 @@ JsonValue report_of(const RunOptions& options, const Plan& plan, const Result& r
   json.set("untrusted_ticks", static_cast<std::int64_t>(result.counters.untrusted));
   json.set("cloth_steps", static_cast<std::int64_t>(result.cloth_steps));
   json.set("failed_steps", static_cast<std::int64_t>(result.failed_steps));
-  json.set("state_hash", hash_text(result.state_hash));
-  json.set("device", simulated_spec(options.device).info.model).set("hand", options.hand);
-  return json.set("scene", options.scene).set("virtual_time", true);
+  json.set("state_hash", hash_text(result.state_hash)).set("clock", clock_of(result.realtime));
+  json.set("device", plan.setup.device.model).set("hand", plan.hand).set("stopped", result.stopped);
+  return json.set("scene", plan.setup.scene.scene).set("virtual_time", plan.virtual_time);
 }
 
-void print_report(const Console& console, const RunOptions& options, const Plan& plan, const Result& result) {
+void print_clock(const Console& console, const RealtimeReport& report) {
+  console.line("clock         " + std::to_string(report.overruns) + " ticks missed, woken at most " +
+               format_number(1e6 * report.worst_lateness) + " us late, " +
+               std::to_string(report.cloth_overruns) + " periods of the cloth missed");
+  std::string late;
+  for (std::size_t i = 0; i < kLatenessBins; ++i) {
+    if (report.lateness[i] == 0) continue;
+    const double bound = lateness_bound(i);
+    late += "  " + (std::isfinite(bound) ? "<" + format_number(1e6 * bound) : std::string("more")) + ": " +
+            std::to_string(report.lateness[i]);
+  }
+  console.line("late, us    " + late);
+  for (const std::string& line : report.refused) console.warn(line);
+}
+
+void print_report(const Console& console, const FeltPlan& plan, const FeltResult& result) {
   const SessionFigures figures = read_figures(result.records);
-  console.line(options.scene + " felt with " + simulated_spec(options.device).info.model + " in hand '" +
-               options.hand + "': " + std::to_string(plan.ticks) + " ticks in virtual time");
+  console.line(plan.setup.scene.scene + " felt with " + plan.setup.device.model +
+               (is_simulated(plan.device) ? " in hand '" + plan.hand + "'" : "") + ": " +
+               std::to_string(result.counters.ticks) + " ticks in " +
+               (plan.virtual_time ? "virtual" : "real") + " time" +
+               (result.stopped ? ", stopped before the end" : ""));
   console.line("workspace     " + format_number(result.map.scale) +
                " m of cloth to a metre of the device, force times " + format_number(result.map.force_gain));
   console.line("force         " + format_number(figures.force_rms) + " N rms, " +
@@ -232,68 +169,84 @@ void print_report(const Console& console, const RunOptions& options, const Plan&
                std::to_string(result.counters.braked) + " ticks");
   console.line("model age     " + format_number(1e3 * figures.model_age[0]) + " ms median, " +
                format_number(1e3 * figures.model_age[2]) + " ms at most");
+  if (result.realtime) print_clock(console, *result.realtime);
 }
 
-Plan make_plan(const RunOptions& options, const EngineScene& scene) {
-  Plan plan;
+double force_gain_of(const RunOptions& options) {
+  double gain = 1.0;
+  const char *begin = options.force_gain.data(), *end = begin + options.force_gain.size();
+  const std::from_chars_result read = std::from_chars(begin, end, gain);
+  if (read.ec == std::errc{} && read.ptr == end && gain >= 0.01 && gain <= 100.0) return gain;
+  throw Error(ErrorKind::kUsage, "--force-gain: '" + options.force_gain + "' is no gain", {},
+              "take 0.01 to 100");
+}
+
+HoldBy hold_of(const RunOptions& options) {
+  if (options.hold == "always") return HoldBy::kAlways;
+  const bool scene = options.hold.empty() ? is_simulated(options.device) : options.hold == "scene";
+  return scene ? HoldBy::kScene : HoldBy::kButton;
+}
+
+/// What the device says of itself; a real one is opened for that.
+DeviceInfo info_of(const RunOptions& options) {
+  if (options.virtual_time || is_simulated(options.device)) return simulated_spec(options.device).info;
+  return open_device(options.device)->info();
+}
+
+FeltPlan make_plan(const RunOptions& options, const EngineScene& scene) {
+  FeltPlan plan;
   const double seconds =
-      options.seconds.empty() ? scene.seconds + kRest : time_value(options.seconds, "--seconds", true);
+      options.seconds.empty() ? scene.seconds + rest_time() : time_value(options.seconds, "--seconds", true);
   if (!(seconds > 0.0))
     throw Error(ErrorKind::kUsage, "--seconds must be more than 0", {}, "give a time such as 2s");
   plan.ticks = steps_of(seconds, kTick, "--seconds");
-  const char *begin = options.force_gain.data(), *end = begin + options.force_gain.size();
-  const std::from_chars_result read = std::from_chars(begin, end, plan.force_gain);
-  if (read.ec != std::errc{} || read.ptr != end || !(plan.force_gain >= 0.01 && plan.force_gain <= 100.0)) {
-    throw Error(ErrorKind::kUsage, "--force-gain: '" + options.force_gain + "' is no gain", {},
-                "take 0.01 to 100");
-  }
-  plan.cloth_period = options.cloth_rate >= 1000 ? 0.0 : 1.0 / options.cloth_rate;
-  plan.way = hand_way(scene, plan.ticks);
-  const DeviceInfo& info = simulated_spec(options.device).info;
-  plan.fit = fit_way(plan.way, info);
-  plan.grasp = scene.hands.front();
-  // The hold is the coupling: felt gain times scale stiffer than it is, and the device must render that.
-  plan.grasp.stiffness =
-      std::min(plan.grasp.stiffness, info.stable_stiffness / (plan.force_gain * plan.fit.scale));
+  plan.device = options.device;
+  plan.hand = options.hand;
+  plan.hold = hold_of(options);
+  plan.virtual_time = options.virtual_time;
+  plan.reference = !options.no_reference;
+  FeltSetup& setup = plan.setup;
+  setup.scene = options.setup;
+  setup.force_gain = force_gain_of(options);
+  setup.cloth_period = options.cloth_rate >= 1000 ? 0.0 : 1.0 / options.cloth_rate;
+  setup.control = !options.no_controller;
+  setup.device = info_of(options);
+  setup.device.rate = 1.0 / kTick;
+  // A hand of flesh takes the cloth where it is; a simulated one goes the scene's way with the scene's patch.
+  if (!is_simulated(options.device)) setup.reach = kReach;
+  fit_plan(plan, scene);
   return plan;
 }
 
 int run_run(const Console& console, const RunOptions& options) {
-  if (!options.virtual_time) {
-    throw Error(ErrorKind::kUsage,
-                "haptics run knows virtual time only so far: a force loop in real time needs a "
-                "driver and its thread",
-                {}, "add --virtual-time");
-  }
-  simulated_spec(options.device);
+  if (options.virtual_time || is_simulated(options.device)) simulated_spec(options.device);
   find_hand_model(options.hand);
-  if (named_scene(options.scene).kind == SceneKind::kPaper)
+  if (named_scene(options.setup.scene).kind == SceneKind::kPaper)
     throw Error(ErrorKind::kUsage,
-                "'" + options.scene + "' is a scene of the paper, which has no time to be felt in", {},
+                "'" + options.setup.scene + "' is a scene of the paper, which has no time to be felt in", {},
                 "take grasp_and_lift, taut_patch or bending");
-  if (!options.record.empty()) {
-    if (!options.record.ends_with(".csv"))
-      throw Error(ErrorKind::kUsage, "--record: records are CSV files, got '" + options.record + "'", {},
-                  "end the name in .csv");
-    check_can_write(options.record);
-  }
-  const Fabric fabric = load_fabric(options.fabric);
-  for (const std::string& warning : fabric.warnings) console.warn(warning);
-  const EngineScene scene = make_engine_scene(options.scene, make_fabric_laws(fabric),
-                                              scene_options(options.size, options.spacing));
+  const RecordForm form = record_form(options.record);
+  const auto [fabric, scene] = build_scene(console, options.setup);
   if (scene.hands.empty() || !scene.motion)
-    throw Error(ErrorKind::kUsage, "nobody holds the cloth of '" + options.scene + "'", {},
+    throw Error(ErrorKind::kUsage, "nobody holds the cloth of '" + options.setup.scene + "'", {},
                 "take grasp_and_lift, taut_patch or bending");
-  const Plan plan = make_plan(options, scene);
-  const Result result = run_plan(console, options, scene, plan);
-  if (!options.record.empty()) {
+  const FeltPlan plan = make_plan(options, scene);
+  std::unique_ptr<LogRecorder> log;
+  if (form == RecordForm::kLog)
+    log = std::make_unique<LogRecorder>(options.record, felt_info(plan.setup, fabric), plan.virtual_time);
+  const FeltResult result = run_felt(console, scene, plan, log ? &log->listener() : nullptr);
+  const std::uint64_t lost = log ? log->finish(result.state_hash) : 0;
+  if (lost > 0)
+    console.warn(std::to_string(lost) + " records found no room: the replay ends before the first");
+  if (form == RecordForm::kTable) {
     std::string text = kRecordHead;
-    for (const TickRecord& record : result.records) add_row(text, record);
+    for (const TickRecord& record : result.records)
+      if (record.hand == 0) add_row(text, record);
     write_atomically(options.record, text);
-    console.say("wrote " + options.record);
   }
-  print_report(console, options, plan, result);
-  JsonValue json = report_of(options, plan, result);
+  if (form != RecordForm::kNone) console.say("wrote " + options.record);
+  print_report(console, plan, result);
+  JsonValue json = report_of(plan, result);
   console.result(json.set("fabric", fabric.id));
   if (result.failed_steps == 0) return 0;
   throw Error(ErrorKind::kCheckFailed,
@@ -308,26 +261,33 @@ void declare_run(const Command& parent) {
       "Feel a scene: a device's hand goes the way of the scene's; force, error, energy, age of the model");
   command.option("--device", options->device,
                  "Driver, or driver:model, as `fuai haptics devices --diagnose` lists them");
-  command.option("--scene", options->scene, "A scene in which somebody holds the cloth");
-  command.option("--fabric", options->fabric, "Bundled name or path of a fabric file");
+  command.option("--scene", options->setup.scene, "A scene in which somebody holds the cloth");
+  command.option("--fabric", options->setup.fabric, "Bundled name or path of a fabric file");
   std::string hands = "Who holds the simulated device:";
   for (const HandModel& hand : hand_models()) hands.append(" ").append(hand.name);
   command.option("--hand", options->hand, hands);
   command.option("--seconds", options->seconds,
                  "How long; a number of seconds or a time such as 500ms. Default: the scene's own and 0.5 s");
-  declare_size(command, options->size, options->spacing);
+  declare_size(command, options->setup.size, options->setup.spacing);
   command
       .option("--cloth-rate", options->cloth_rate,
               "Steps of the cloth a second; below 1000 a tangent serves in between")
       .range(30, 1000);
   command.option("--force-gain", options->force_gain, "Newtons of the device to a newton of the cloth");
-  command.option("--record", options->record, "CSV file with a row a tick");
+  command.option("--record", options->record,
+                 "CSV file with a row a tick; or, in .fuailog, a recording that `fuai replay` runs again");
   command.flag("--no-reference", options->no_reference,
                "Leave out the converged solve, which takes most of the time, and with it the force error");
   command.flag("--no-controller", options->no_controller, "Let the passivity controller only observe");
-  command.flag("--virtual-time", options->virtual_time, "Deterministic, as fast as it goes");
+  command
+      .option("--hold", options->hold,
+              "Who holds the cloth: the scene by time, always, or a button of the device; default: the scene "
+              "with a simulated hand, else a button")
+      .among({"scene", "always", "button"});
+  command.flag("--virtual-time", options->virtual_time,
+               "Deterministic, as fast as it goes; without it in real time, at 1 kHz, until done or Ctrl-C");
   command.examples(
-      {"fuai haptics run --virtual-time",
+      {"fuai haptics run --no-reference", "fuai haptics run --virtual-time",
        "fuai haptics run --virtual-time --scene taut_patch --device simulated:touch --fabric wool-tropical",
        "fuai --json haptics run --virtual-time --scene bending --cloth-rate 60 --record felt.csv"});
   command.body([options](const Console& console) { return run_run(console, *options); });
@@ -336,7 +296,8 @@ void declare_run(const Command& parent) {
 }  // namespace
 
 void declare_haptics(const Command& parent) {
-  const Command haptics = parent.group("haptics", "Feel cloth: devices, and the force path in virtual time");
+  const Command haptics =
+      parent.group("haptics", "Feel cloth: devices, and the force path in real or virtual time");
   const auto diagnose = std::make_shared<bool>(false);
   const Command devices = haptics.command("devices", "Every driver: available or why not");
   devices.flag("--diagnose", *diagnose, "Everything that was looked at");

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -13,11 +14,12 @@
 #include "commands.h"
 #include "fuai/core/error.h"
 #include "fuai/core/hash.h"
-#include "fuai/io/fabric_library.h"
 #include "fuai/io/text_file.h"
 #include "fuai/runtime/spin_team.h"
 #include "fuai/solver/explicit.h"
 #include "scene_options.h"
+#include "scene_recording.h"
+#include "session_files.h"
 
 namespace fuai_app {
 
@@ -26,21 +28,13 @@ using namespace fuai;
 namespace {
 
 struct SimulateOptions {
-  std::string scene;
-  std::string fabric = "cupro-woven-su1098";
-  int size = 0;            ///< nodes a side; 0: the scene's own
-  std::string spacing;     ///< with unit; empty: the scene's own
+  SceneSetup setup;
   std::string dt = "1ms";  ///< with unit
   std::string seconds;     ///< a number of seconds, or a time with unit; empty: the scene's own
-  std::string solver = "implicit";
-  int iterations = 0;     ///< 0: the solver's own
-  std::string precision;  ///< empty: the solver's own
-  std::string record;     ///< CSV file; empty: none
+  std::string record;      ///< CSV or recording; empty: none
 };
 
 constexpr double kLeastStep = 1e-6, kMostStep = 1.0;  // [s]
-/// Ticks of a record: 160 MB of text.
-constexpr std::int64_t kMostRecorded = 1'000'000;
 constexpr const char* kRecordHead =
     "time_s,hand_x_m,hand_y_m,hand_z_m,force_x_N,force_y_N,force_z_N,moment_x_Nm,moment_y_Nm,moment_z_Nm,"
     "status,residual_N\n";
@@ -68,7 +62,7 @@ std::string status_words(std::uint32_t status) {
 struct Plan {
   double dt = 0.0;
   std::int64_t steps = 0;
-  bool record = false;
+  RecordForm record = RecordForm::kNone;
   int threads = 1;
   const SolverEntry* solver = nullptr;
   int inner_steps = 0;  ///< asked for; 0: the solver's own
@@ -126,14 +120,19 @@ void add_row(std::string& record, double time, const Vec3& hand, const GraspRead
   record += text;
 }
 
-Run run_plan(const EngineScene& scene, const Plan& plan, const Progress& progress) {
+/// @param listener hears of every step; may be null
+Run run_plan(const EngineScene& scene, const Plan& plan, SessionListener* listener,
+             const Progress& progress) {
   using Clock = std::chrono::steady_clock;
   SceneRun runner(scene, plan.solver->kind, plan.inner_steps);
   SpinTeam team(plan.threads);
   runner.simulation().any_solver().set_team(&team);
   Run run;
   run.step_us.reserve(static_cast<std::size_t>(plan.steps));
-  if (plan.record) run.record = kRecordHead;
+  const bool table = plan.record == RecordForm::kTable;
+  if (table) run.record = kRecordHead;
+  std::optional<SceneRecording> recording;
+  if (listener != nullptr) recording.emplace(runner, *listener);
   for (std::int64_t i = 0; i < plan.steps; ++i) {
     const Clock::time_point begin = Clock::now();
     const StepReport report = runner.step(plan.dt);
@@ -145,8 +144,8 @@ Run run_plan(const EngineScene& scene, const Plan& plan, const Progress& progres
     for (std::size_t hand = 0; hand < scene.hands.size(); ++hand)
       slipped = slipped || runner.hand_reading(hand).saturated;
     run.saturated += slipped ? 1 : 0;
-    if (plan.record)
-      add_row(run.record, runner.simulation().time(), runner.hand(0).position, run.hand, report);
+    if (recording) recording->note(report, plan.dt);
+    if (table) add_row(run.record, runner.simulation().time(), runner.hand(0).position, run.hand, report);
     if (progress && i % 16 == 0)
       progress(scene.name, static_cast<double>(i) / static_cast<double>(plan.steps));
   }
@@ -256,11 +255,11 @@ Plan make_plan(const SimulateOptions& options, const EngineScene& scene, const S
   if (!(seconds > 0.0))
     throw Error(ErrorKind::kUsage, "--seconds must be more than 0", {}, "give a time such as 2s");
   plan.steps = steps_of(seconds, plan.dt, "--seconds");
-  if (!is_implicit(solver)) plan.inner_steps = options.iterations;
+  if (!is_implicit(solver)) plan.inner_steps = options.setup.iterations;
   if (solver.kind == SolverKind::kExplicit && plan.inner_steps > 0)
     check_substeps(scene, plan.dt, plan.inner_steps);
-  plan.record = !options.record.empty();
-  if (plan.record && plan.steps > kMostRecorded) {
+  plan.record = record_form(options.record);
+  if (plan.record == RecordForm::kTable && plan.steps > kMostRecorded) {
     throw Error(ErrorKind::kUsage,
                 "--record: " + std::to_string(plan.steps) + " steps are more than a million rows", {},
                 "take a larger --dt or fewer --seconds");
@@ -269,33 +268,25 @@ Plan make_plan(const SimulateOptions& options, const EngineScene& scene, const S
 }
 
 int run_simulate(const Console& console, const SimulateOptions& options) {
-  if (named_scene(options.scene).kind == SceneKind::kPaper) {
+  if (named_scene(options.setup.scene).kind == SceneKind::kPaper) {
     throw Error(
         ErrorKind::kUsage,
-        "'" + options.scene + "' is a scene of the paper, whose descent has no time to simulate", {},
+        "'" + options.setup.scene + "' is a scene of the paper, whose descent has no time to simulate", {},
         "run it with `fuai paper` or `fuai render`, or take corner_drape or bending, which --solver paper "
         "runs by the paper's descent");
   }
-  const SolverEntry& solver = named_solver(options.solver, options.precision);
-  if (!options.record.empty()) {
-    if (!options.record.ends_with(".csv")) {
-      throw Error(ErrorKind::kUsage, "--record: records are CSV files, got '" + options.record + "'", {},
-                  "end the name in .csv");
-    }
-    check_can_write(options.record);
-  }
-  const SceneOptions size = scene_options(options.size, options.spacing);
-  const Fabric fabric = load_fabric(options.fabric);
-  for (const std::string& warning : fabric.warnings) console.warn(warning);
-  EngineScene scene = make_engine_scene(options.scene, make_fabric_laws(fabric), size);
-  if (options.iterations > 0 && is_implicit(solver)) scene.options.implicit.iterations = options.iterations;
+  const SolverEntry& solver = named_solver(options.setup.solver, options.setup.precision);
+  record_form(options.record);
+  const auto [fabric, scene] = build_scene(console, options.setup);
   Plan plan = make_plan(options, scene, solver);
   plan.threads = threads_for(console.options().threads, scene, solver);
-  const Run run = run_plan(scene, plan, console.progress());
-  if (plan.record) {
-    write_atomically(options.record, run.record);
-    console.say("wrote " + options.record);
-  }
+  std::unique_ptr<LogRecorder> log;
+  if (plan.record == RecordForm::kLog)
+    log = std::make_unique<LogRecorder>(options.record, begin_info("simulate", options.setup, fabric), true);
+  const Run run = run_plan(scene, plan, log ? &log->listener() : nullptr, console.progress());
+  if (log) log->finish(run.reading.state_hash);
+  if (plan.record == RecordForm::kTable) write_atomically(options.record, run.record);
+  if (plan.record != RecordForm::kNone) console.say("wrote " + options.record);
   print_report(console, scene, plan, run);
   JsonValue json = report_of(scene, plan, run);
   json.set("scene", scene.name).set("fabric", fabric.id).set("threads", plan.threads);
@@ -313,10 +304,10 @@ void declare_simulate(const Command& parent) {
   constexpr int kMostIterations = 1000;
   const Command command = parent.command(
       "simulate", "A scene in time on the cloth engine or another solver: state, force, energy, time a step");
-  command.option("SCENE", options->scene, "A name that `fuai scenes` lists, not one of the paper's")
+  command.option("SCENE", options->setup.scene, "A name that `fuai scenes` lists, not one of the paper's")
       .required();
-  command.option("--fabric", options->fabric, "Bundled name or path of a fabric file");
-  declare_size(command, options->size, options->spacing);
+  command.option("--fabric", options->setup.fabric, "Bundled name or path of a fabric file");
+  declare_size(command, options->setup.size, options->setup.spacing);
   command.option("--dt", options->dt, "Length of a step with unit, 1us to 1s");
   command.option(
       "--seconds", options->seconds,
@@ -324,19 +315,20 @@ void declare_simulate(const Command& parent) {
   std::string solvers = "Who computes:";
   for (const SolverEntry& entry : solver_entries())
     solvers.append("\n").append(entry.name).append(" - ").append(entry.description);
-  command.option("--solver", options->solver, solvers);
+  command.option("--solver", options->setup.solver, solvers);
   command
-      .option("--iterations", options->iterations,
+      .option("--iterations", options->setup.iterations,
               "Conjugate gradients a linearisation, default 8; substeps of the explicit solver, default as "
               "many as are safe; steps of the paper's in a tick, default 100")
       .range(1, kMostIterations);
   command
-      .option("--precision", options->precision,
+      .option("--precision", options->setup.precision,
               "Of the implicit solver: float, as at run time, or double, as --solver double")
       .among({"float", "double"});
   command
       .option("--record", options->record,
-              "CSV file with a row a step: time, hand, force, moment, status, residual")
+              "CSV file with a row a step: time, hand, force, moment, status, residual; or, in .fuailog, a "
+              "recording that `fuai replay` runs again")
       .file();
   command.examples({"fuai simulate hanging_sheet",
                     "fuai simulate taut_patch --fabric wool-tropical --seconds 1 --record pull.csv",

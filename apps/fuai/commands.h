@@ -21,6 +21,7 @@ void declare_kes(const Command& parent);
 void declare_loop(const Command& parent);
 void declare_paper(const Command& parent);
 void declare_render(const Command& parent);
+void declare_replay(const Command& parent);
 void declare_report(const Command& parent);
 void declare_scenes(const Command& parent);
 void declare_show(const Command& parent);

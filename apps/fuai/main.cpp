@@ -45,6 +45,7 @@ void declare_commands(const Command& top) {
   declare_kes(top);
   declare_haptics(top);
   declare_view(top);
+  declare_replay(top);
   declare_report(top);
   declare_batch(top, declare_commands);
 }

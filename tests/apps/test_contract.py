@@ -8,7 +8,7 @@ from html.parser import HTMLParser
 
 from program_tools import FABRIC, SOURCE, Case
 
-COMMANDS = ["fabrics", "fabric", "fabric import", "fabric fit", "fabric bands", "fabric show", "fabric compare", "fabric card", "paper", "scenes", "render", "simulate", "report", "batch"]
+COMMANDS = ["fabrics", "fabric", "fabric import", "fabric fit", "fabric bands", "fabric show", "fabric compare", "fabric card", "paper", "scenes", "render", "simulate", "replay", "report", "batch"]
 # Any file that is no driver description hides all drivers, as tests/picture does.
 NO_DRIVER = {"__EGL_VENDOR_LIBRARY_FILENAMES": "/dev/null"}
 
@@ -27,7 +27,7 @@ class Unit(Case):
 
     def test_wrong_usage_names_the_word_and_exits_with_2(self):
         for words, message in [
-            (["nosuch"], "has no command 'nosuch'; did you mean 'batch'?\nThe commands are fabrics, fabric, paper, scenes, render, simulate, cantilever, drape, loop, kes, haptics, report or batch."),
+            (["nosuch"], "has no command 'nosuch'; did you mean 'batch'?\nThe commands are fabrics, fabric, paper, scenes, render, simulate, cantilever, drape, loop, kes, haptics, replay, report or batch."),
             (["fabrcs"], "did you mean 'fabrics'?"),
             (["fabric", "shw"], "did you mean 'show'?"),
             (["render", "paper_drape", "--tme", "2s", "-o", "a.png"], "did you mean '--time'?"),

@@ -3,15 +3,20 @@
 SPDX-License-Identifier: Apache-2.0
 """
 import csv
+import json
+import signal
+import subprocess
+import time
 import unittest
 
-from program_tools import Case
+from program_tools import PROGRAM, Case
 
 RUN = ["haptics", "run", "--virtual-time"]
 SMALL = [*RUN, "--scene", "taut_patch", "--fabric", "wool-tropical", "--size", "9", "--seconds", "0.9"]
 KEYS = {"ticks", "overruns", "force_rms_N", "force_peak_N", "force_error_percent", "energy_min_J", "model_age_ms",
         "force_step_N", "changed_percent", "scale", "force_gain", "braked_ticks", "untrusted_ticks", "cloth_steps",
-        "failed_steps", "state_hash", "device", "hand", "scene", "fabric", "virtual_time"}
+        "failed_steps", "state_hash", "device", "hand", "scene", "fabric", "virtual_time", "clock", "stopped"}
+REAL = ["haptics", "run", "--no-reference", "--scene", "taut_patch", "--fabric", "wool-tropical", "--size", "9"]
 
 
 class Unit(Case):
@@ -80,10 +85,79 @@ class Unit(Case):
         self.assertEqual(self.files(), ["felt.csv"])
 
 
+    def test_in_real_time_every_tick_is_recorded_and_the_replay_has_the_same_bits(self):
+        # What the clock did is the machine's affair; what was done with it is exact.
+        result = self.json_of(*REAL, "--seconds", "0.4", "--record", "real.fuailog")
+        self.assertEqual(set(result), KEYS)
+        self.assertEqual((result["ticks"], result["virtual_time"], result["stopped"]), (400, False, False))
+        clock = result["clock"]
+        self.assertEqual(sum(b["ticks"] for b in clock["lateness"]), 400)
+        self.assertEqual([b["below_us"] for b in clock["lateness"][:3]], [1, 2, 4])
+        self.assertIsNone(clock["lateness"][-1]["below_us"])
+        for line in clock["refused"]:
+            self.assertIn("limits.d", line)
+        replayed = self.json_of("replay", "real.fuailog")
+        self.assertTrue(replayed["matches"] and replayed["complete"])
+        self.assertEqual(replayed["state_hash"], result["state_hash"])
+        self.assertEqual((replayed["ticks"], replayed["cloth_steps"]), (400, result["cloth_steps"]))
+
+
 class Safety(Case):
+    def start(self, *words):
+        process = subprocess.Popen([PROGRAM, "--json", *words], cwd=self.folder, text=True, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, stdin=subprocess.DEVNULL)
+        self.addCleanup(process.stdout.close)
+        self.addCleanup(process.stderr.close)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        return process
+
+    def wait_for(self, process, size):
+        """Until the recording has that size."""
+        path = self.folder / "a.fuailog"
+        while process.poll() is None and not (path.exists() and path.stat().st_size >= size):
+            time.sleep(0.01)
+        return path
+
+    def test_ctrl_c_ends_a_session_with_its_figures_and_a_whole_recording(self):
+        process = self.start(*REAL, "--seconds", "600", "--record", "a.fuailog")
+        self.wait_for(process, 50_000)
+        process.send_signal(signal.SIGINT)
+        result = json.loads(process.communicate(timeout=120)[0])
+        self.assertEqual(process.returncode, 0)
+        self.assertTrue(result["stopped"])
+        self.assertLess(result["ticks"], 600_000)
+        replayed = self.json_of("replay", "a.fuailog")
+        self.assertTrue(replayed["matches"] and replayed["complete"])
+        self.assertEqual(replayed["ticks"], result["ticks"])
+
+    def test_a_killed_process_loses_at_most_the_last_second(self):
+        # The second run takes seconds for as many steps as fill a block: there the clock has to write. How long
+        # the system lets a process starve is not ours to promise: one undisturbed try of three is enough.
+        slow = ["simulate", "taut_patch", "--fabric", "wool-tropical", "--size", "192", "--seconds", "600"]
+        for words, size, pause in [(REAL + ["--seconds", "600"], 400_000, 0.0), (slow, 17_000, 1.3)]:
+            lost = []
+            for _ in range(3):
+                process = self.start(*words, "--record", "a.fuailog")
+                path = self.wait_for(process, size)
+                time.sleep(pause)
+                process.kill()
+                killed = time.time()
+                process.wait()
+                lost.append(killed - path.stat().st_mtime)
+                if lost[-1] <= 1.0:
+                    break
+            self.assertLessEqual(lost[-1], 1.0, f"nothing was written for {lost} s before the kill")
+            replayed = self.json_of("replay", "a.fuailog")
+            self.assertTrue(replayed["matches"])
+            self.assertFalse(replayed["complete"])
+            self.assertGreater(replayed["ticks"], 0)
+            if not pause:  # 54 ticks in 16 KiB, less what steps take
+                self.assertGreater(replayed["ticks"], 400)
+                self.assertGreater(replayed["checkpoints"], 0)
+
     def test_wrong_words_are_refused_with_a_cure(self):
         for words, message in [
-            (["haptics", "run"], "add --virtual-time"),
             ([*RUN, "--device", "phantom"], "take one of simulated"),
             ([*RUN, "--device", "simulated:glove"], "take one of premium, touch"),
             ([*RUN, "--device", "vrpn"], "virtual time is for the simulated device"),

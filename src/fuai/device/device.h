@@ -1,7 +1,8 @@
 // A thing that a hand holds: where it is, and what force it is to give. Devices know no cloth.
 // SPDX-License-Identifier: Apache-2.0
 //
-//   open -> info() -> [read() -> write()]* at info().rate -> close by destruction, which leaves no force on
+//   open -> info() -> [read() -> write() -> advance()]* at info().rate -> close by destruction, which leaves
+//   no force on
 //
 //   Every driver is one file with a DeviceDriver (registry.h). Coordinates are those of the device's stand:
 //   x right, y away from the user, z up; a driver turns its own into these.
@@ -78,6 +79,9 @@ class Device {
   virtual DeviceSample read() noexcept = 0;
   /// A force that is not finite counts as none. Thread class: real-time.
   virtual void write(const DeviceCommand& command) noexcept = 0;
+  /// Lets time pass in a device that is computed; others know it themselves. @param dt [s], > 0. Thread
+  /// class: real-time.
+  virtual void advance(double /*dt*/) noexcept {}
 };
 
 }  // namespace fuai

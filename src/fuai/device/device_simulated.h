@@ -57,8 +57,7 @@ class SimulatedDevice final : public Device {
   DeviceSample read() noexcept override;
   void write(const DeviceCommand& command) noexcept override;
 
-  /// Lets time pass. @param dt [s], > 0. Thread class: real-time.
-  void advance(double dt) noexcept;
+  void advance(double dt) noexcept override;
   /// Plugs it out and in: without the plug it gives no force and its samples stay as they were.
   /// Thread class: real-time.
   void set_connected(bool connected) noexcept;

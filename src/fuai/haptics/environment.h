@@ -1,6 +1,10 @@
-// What a tool meets: something that answers a pose with a local model. Cloth, or a wall to try devices on.
+// What tools meet: something that answers poses with local models. Cloth, or a wall to try devices on.
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
 
 #include "fuai/haptics/local_model_rt.h"
 
@@ -17,6 +21,17 @@ class HapticEnvironment {
   /// Goes on by dt to the moment of the pose. @param dt [s], > 0 @param next how long the model will serve
   /// [s] Thread class: real-time.
   virtual LocalModel update(const ToolPose& pose, double dt, double next) noexcept = 0;
+
+  /// How many hands it answers. Thread class: any.
+  virtual std::size_t hands() const noexcept { return 1; }
+  /// The same for all hands at once. @param poses one a hand (hands) @param models their answers, all of one
+  /// number (hands). Thread class: real-time.
+  virtual void update_all(std::span<const ToolPose> poses, double dt, double next,
+                          std::span<LocalModel> models) noexcept {
+    models[0] = update(poses[0], dt, next);
+  }
+  /// Hash of everything that the next answer depends on; 0 when it has none. Thread class: real-time.
+  virtual std::uint64_t state_hash() noexcept { return 0; }
 };
 
 /// A model's share that every environment fills alike: number, time, place, ledger.

@@ -77,6 +77,8 @@ class ForcePath {
   void reset() noexcept { limiter_.reset(); }
 
   const WorkspaceMap& map() const noexcept { return options_.map; }
+  /// Number of the newest model that was fetched, usable or not; 0: none yet. Thread class: real-time.
+  std::uint64_t arrived() const noexcept { return models_.value().number; }
   const ForceCounters& counters() const noexcept { return counters_; }
   double time() const noexcept { return time_; }  ///< sum of all dt, none counted for more than a second [s]
 

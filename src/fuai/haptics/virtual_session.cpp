@@ -9,52 +9,68 @@
 
 namespace fuai {
 
-VirtualSession::VirtualSession(SimulatedDevice& device, ForcePath& path, HapticEnvironment& environment,
+VirtualSession::VirtualSession(std::span<const SessionHand> hands, HapticEnvironment& environment,
                                const VirtualSessionOptions& options)
-    : device_(device), path_(path), environment_(environment), options_(options) {
+    : environment_(environment), options_(options) {
+  if (hands.size() != environment.hands() || hands.empty() || hands.size() > kMostSessionHands)
+    throw Error(ErrorKind::kUsage, "a session needs a device for each hand that holds the cloth");
   if (!(options.cloth_period >= 0.0) || !(options.latency >= 0.0))
     throw Error(ErrorKind::kUsage, "a session's period and latency must not be negative");
   if (options.latency > 0.0 && options.latency > 4.0 * options.cloth_period)
     throw Error(ErrorKind::kUsage, "a session's latency must be at most four periods of the cloth");
-  records_.reserve(options.records);
+  for (std::size_t i = 0; i < hands.size(); ++i)
+    loops_.emplace_back(*hands[i].device, *hands[i].path, static_cast<std::uint32_t>(i));
+  records_.reserve(options.records * hands.size());
 }
 
-void VirtualSession::step_cloth(const ToolPose& pose, double dt) noexcept {
+VirtualSession::VirtualSession(Device& device, ForcePath& path, HapticEnvironment& environment,
+                               const VirtualSessionOptions& options)
+    : VirtualSession(std::array{SessionHand{&device, &path}}, environment, options) {}
+
+void VirtualSession::step_cloth(double now, double dt) noexcept {
   if (stalled_) {
-    cloth_time_ = pose.time;  // what was missed is not made up for
+    cloth_time_ = now;  // what was missed is not made up for
     return;
   }
   const double period = options_.cloth_period;
   // Half a tick early is on time: ticks and periods do not fit.
-  if (pose.time - cloth_time_ < period - 0.5 * dt) return;
-  const double step = pose.time - cloth_time_;
-  cloth_time_ = pose.time;
-  ++cloth_steps_;
-  const LocalModel model = environment_.update(pose, step, std::max(period, dt));
-  sent_[(first_ + count_) % sent_.size()] = {pose.time + options_.latency, model};
+  if (now - cloth_time_ < period - 0.5 * dt) return;
+  ClothStepRecord step;
+  step.number = ++cloth_steps_;
+  step.tick = loops_.front().record().number;
+  step.dt = now - cloth_time_;
+  step.next = std::max(period, dt);
+  cloth_time_ = now;
+  Sent& sent = sent_[(first_ + count_) % sent_.size()];
+  sent.arrives = now + options_.latency;
+  environment_.update_all({poses_.data(), loops_.size()}, step.dt, step.next,
+                          {sent.models.data(), loops_.size()});
   count_ = std::min(count_ + 1, sent_.size());
+  if (options_.listener == nullptr) return;
+  if (step.number % kCheckpointSteps == 0) step.hash = environment_.state_hash();
+  options_.listener->on_step(step);
 }
 
 void VirtualSession::deliver(double now) noexcept {
   while (!stalled_ && count_ > 0 && sent_[first_].arrives <= now + 1e-9) {
-    path_.models().put(sent_[first_].model);
+    for (std::size_t i = 0; i < loops_.size(); ++i) loops_[i].path().models().put(sent_[first_].models[i]);
     first_ = (first_ + 1) % sent_.size();
     --count_;
   }
 }
 
 const ForceTick& VirtualSession::tick(double dt) noexcept {
-  const DeviceSample sample = device_.read();
-  const ToolPose pose = path_.follow(sample, dt);
-  step_cloth(pose, dt);
-  deliver(pose.time);
-  last_ = path_.render();
-  device_.write({last_.force});
-  device_.advance(dt);
-  if (records_.size() < records_.capacity())
-    records_.push_back({pose.time, dt, sample.position, pose.position,
-                        pose.velocity.norm() / path_.map().scale, pose.holds, last_});
-  return last_;
+  for (std::size_t i = 0; i < loops_.size(); ++i) poses_[i] = loops_[i].read(dt);
+  const double now = poses_.front().time;
+  step_cloth(now, dt);
+  deliver(now);
+  for (HapticLoop& loop : loops_) {
+    const TickRecord& record = loop.write();
+    loop.device().advance(dt);
+    if (records_.size() < records_.capacity()) records_.push_back(record);
+    if (options_.listener != nullptr) options_.listener->on_tick(record);
+  }
+  return last();
 }
 
 SessionFigures read_figures(const std::vector<TickRecord>& records, double still) {

@@ -28,6 +28,35 @@ std::unique_ptr<ClothSimulation> simulate(const EngineScene& scene, SolverKind k
 
 Vec3 SceneMotion::fixed_move(const Vec3& /*start*/, double /*time*/) const noexcept { return Vec3::Zero(); }
 
+namespace {
+
+/// Hands: let go, grip where the hand was at the start of the tick, carry.
+void carry(ClothSimulation& simulation, const EngineScene& scene, SceneHolds& holds,
+           std::span<const HandMoment> now, std::span<const HandMoment> then) noexcept {
+  for (std::size_t i = 0; i < std::min(now.size(), then.size()); ++i) {
+    int& hold = holds.holds[i];
+    if (!then[i].holds) {
+      simulation.release(hold);
+      hold = -1;
+      continue;
+    }
+    if (hold < 0) hold = simulation.grasp(scene.hands[i], now[i].position);
+    simulation.move_grasp(hold, then[i].position, then[i].rotation);
+  }
+}
+
+/// Pins, to where the motion has them at `time`.
+void place_pins(ClothSimulation& simulation, const EngineScene& scene, double time) noexcept {
+  if (!scene.motion || !scene.motion->moves_fixed()) return;
+  const std::vector<Vec3>& start = scene.start.positions;
+  for (std::size_t slot = 0; slot < start.size(); ++slot) {
+    if (scene.model.fixed[slot] == 0) continue;
+    simulation.place_fixed(static_cast<int>(slot), start[slot] + scene.motion->fixed_move(start[slot], time));
+  }
+}
+
+}  // namespace
+
 StepReport drive(ClothSimulation& simulation, const EngineScene& scene, SceneHolds& holds,
                  double dt) noexcept {
   return drive_from(simulation.time(), simulation, scene, holds, dt);
@@ -35,30 +64,21 @@ StepReport drive(ClothSimulation& simulation, const EngineScene& scene, SceneHol
 
 StepReport drive_from(double time, ClothSimulation& simulation, const EngineScene& scene, SceneHolds& holds,
                       double dt) noexcept {
-  if (!scene.motion) return simulation.step(dt);
-  const double now = time, then = now + dt;
-  // Hands: let go, grip where the hand was at the start of the tick, carry.
-  const std::size_t hands = std::min(scene.hands.size(), kMostHands);
+  std::array<HandMoment, kMostHands> now, then;
+  const std::size_t hands = scene.motion ? std::min(scene.hands.size(), kMostHands) : 0;
   for (std::size_t i = 0; i < hands; ++i) {
-    const HandMoment moment = scene.motion->hand(i, then);
-    int& hold = holds.holds[i];
-    if (!moment.holds) {
-      simulation.release(hold);
-      hold = -1;
-      continue;
-    }
-    if (hold < 0) hold = simulation.grasp(scene.hands[i], scene.motion->hand(i, now).position);
-    simulation.move_grasp(hold, moment.position, moment.rotation);
+    now[i] = scene.motion->hand(i, time);
+    then[i] = scene.motion->hand(i, time + dt);
   }
-  // Pins.
-  if (scene.motion->moves_fixed()) {
-    const std::vector<Vec3>& start = scene.start.positions;
-    for (std::size_t slot = 0; slot < start.size(); ++slot) {
-      if (scene.model.fixed[slot] == 0) continue;
-      simulation.place_fixed(static_cast<int>(slot),
-                             start[slot] + scene.motion->fixed_move(start[slot], then));
-    }
-  }
+  carry(simulation, scene, holds, {now.data(), hands}, {then.data(), hands});
+  place_pins(simulation, scene, time + dt);
+  return simulation.step(dt);
+}
+
+StepReport drive(ClothSimulation& simulation, const EngineScene& scene, SceneHolds& holds,
+                 std::span<const HandMoment> now, std::span<const HandMoment> then, double dt) noexcept {
+  carry(simulation, scene, holds, now, then);
+  place_pins(simulation, scene, simulation.time() + dt);
   return simulation.step(dt);
 }
 

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -106,6 +107,11 @@ StepReport drive_from(double time, ClothSimulation& simulation, const EngineScen
 StepReport drive(ClothSimulation& simulation, const EngineScene& scene, SceneHolds& holds,
                  double dt) noexcept;
 
+/// The same with hands that go where they are told. Pins follow the scene as ever.
+/// @param now where the hands are at the start of the tick, by hand; the scene's hands @param then at its end
+StepReport drive(ClothSimulation& simulation, const EngineScene& scene, SceneHolds& holds,
+                 std::span<const HandMoment> now, std::span<const HandMoment> then, double dt) noexcept;
+
 /// A run, frozen: restore() of it continues bit for bit.
 struct SceneSnapshot {
   ClothState cloth;
@@ -124,6 +130,10 @@ class SceneRun {
 
   /// One tick, see drive(). Thread class: real-time.
   StepReport step(double dt) noexcept { return drive(*simulation_, *scene_, holds_, dt); }
+  /// One tick with hands that go where they are told. Thread class: real-time.
+  StepReport step(std::span<const HandMoment> now, std::span<const HandMoment> then, double dt) noexcept {
+    return drive(*simulation_, *scene_, holds_, now, then, dt);
+  }
   /// What a hand feels after the last step; a reading that does not hold when there is no such hand.
   /// Thread class: real-time.
   GraspReading hand_reading(std::size_t hand) const noexcept;
