@@ -3,10 +3,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench_engine.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <fstream>
 #include <string>
+#include <thread>
 
 #include "fuai/solver/implicit_kernels.h"
 #ifdef FUAI_BENCH_BULLET
@@ -24,6 +27,25 @@ std::string processor_name() {
     if (line.rfind("model name", 0) == 0 && colon != std::string::npos) return line.substr(colon + 2);
   }
   return "unknown processor";
+}
+
+/// Mean number of runnable threads over the last minute; negative when the system does not say.
+double load_average() {
+  double load = -1.0;
+  return getloadavg(&load, 1) == 1 ? load : -1.0;
+}
+
+/// Whether the times are worth more than their medians.
+void report_load(Report& report, double before, double after) {
+  if (before < 0.0 || after < 0.0) return;
+  const unsigned cores = std::thread::hardware_concurrency();
+  report.heading("Load of the machine");
+  report.paragraph("Mean over a minute: " + fixed_text(before, 1) + " at the start, " + fixed_text(after, 1) +
+                   " at the end, 1 of it this program, on " + std::to_string(cores) + " cores. " +
+                   (std::max(before, after) > 1.5
+                        ? "The machine was shared: times are medians with their spread, and ratios that hang "
+                          "on caches and memory are not settled by this run."
+                        : "Nothing else ran beside it."));
 }
 
 void report_machine(Report& report, const MachineLimits& limits) {
@@ -61,15 +83,17 @@ int run(int count, char** arguments) {
     }
   }
   Report report;
+  const double load_before = load_average();
   const MachineLimits limits = measure_machine(quick ? 40 : 200);
   report_machine(report, limits);
   if (only.empty() || only == "speed") report_speed(report, quick);
   if (only.empty() || only == "kernels") report_kernels(report, limits, quick);
   if (only.empty() || only == "accuracy") report_accuracy(report, quick);
+  report_load(report, load_before, load_average());
   if (file.empty()) return 0;
   std::ofstream out(file);
-  out << "# Measured figures of the cloth engine\n\nWritten by `bench_engine --markdown` "
-      << (quick ? "(`--quick`)" : "") << "; do not edit.\n\n"
+  out << "# Measured figures of the cloth engine\n\nWritten by `bench_engine --markdown`"
+      << (quick ? " (`--quick`)" : "") << "; do not edit.\n\n"
       << report.markdown();
   if (!out.flush()) {
     std::fprintf(stderr, "bench_engine: cannot write %s\n", file.c_str());

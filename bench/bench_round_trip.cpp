@@ -5,8 +5,7 @@
 //   bench_round_trip [COUNT [FIRST]]   random fabrics, seeds from FIRST on; families take turns
 //
 // One line a test: fabric, test, direction, loop rms [%], largest parameter error [%], edge share [%], Newton
-// iterations, time [s]. Then the worst of each test. docs/laboratory.md has the figures.
-#include <chrono>
+// iterations, CPU time [s]. Then the worst of each test. docs/laboratory.md has the figures.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -16,6 +15,7 @@
 #include "fuai/core/error.h"
 #include "fuai/io/fabric_library.h"
 #include "fuai/laboratory/kes_round_trip.h"
+#include "fuai/runtime/thread_clock.h"
 #include "support/random_fabric.h"
 
 namespace {
@@ -51,9 +51,9 @@ class Sweep {
     const char* direction = test.direction ? to_string(*test.direction) : "mean";
     ++worst.runs;
     try {
-      const auto start = std::chrono::steady_clock::now();
+      const double start = thread_seconds();
       const KesRoundTrip trip = run_kes_round_trip(fabric, test);
-      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      const double seconds = thread_seconds() - start;
       double parameter = 0.0;
       for (std::size_t i = 0; i < trip.input.size(); ++i) {
         const double own = trip.input[i].value, simulated = trip.simulated[i].value;

@@ -164,6 +164,19 @@ TEST_SUITE("unit+slow") {
   }
 }
 
+TEST_SUITE("convergence") {
+  TEST_CASE("the step that a lowered support is simulated in is short enough") {
+    DrapeTestOptions options = quick(0.01, 2);
+    options.method.path = DrapePath::kSupport;
+    const DrapeTest usual = drape("wool-tropical", options);
+    options.method.driven_dt *= 0.5;
+    const DrapeTest half = drape("wool-tropical", options);
+    // Measured 0.79 and 0.58 points at 10 mm, 0.05 at 5 mm; steps of 8 ms are 10 points off here.
+    for (std::size_t i = 0; i < 2; ++i)
+      CHECK(std::abs(half.coefficient.each[i] - usual.coefficient.each[i]) < 0.012);
+  }
+}
+
 TEST_SUITE("crosscheck+slow") {
   TEST_CASE("implicit steps of 8 ms drape as the explicit oracle does") {
     // Where both find the same folds they agree to a tenth of a point; the bound on the mean of five seeds at

@@ -18,7 +18,7 @@ namespace {
 
 /// The strip has no weight to measure its rest by; its reaction is 1e-5 N to 1e-2 N.
 constexpr double kStripRest = 2e-7;  // [N]
-/// Drapes take some 200 to 700 steps; more are a limit cycle.
+/// Drapes take some 200 to 700 steps.
 constexpr int kDrapeSteps = 1500;
 /// The grip moves at most this far [m] before the strip follows.
 constexpr double kLargestMove = 0.002;
@@ -63,20 +63,15 @@ EngineDrape drape_on_engine(const std::string& fabric_id, double spacing, const 
   const ClothMaterial material = material_of(laws);
   EquilibriumOptions options;
   options.most_steps = kDrapeSteps;
+  // Whole steps leap between the shapes that a drape can rest in, and rounding decides in which they end, if
+  // in any; a search along each step stays in the valley it started down.
+  options.guards = true;
   std::vector<ClothModel> levels;
   if (const double coarse = PaperDrapeOptions{}.spacing; spacing < coarse)
     levels.push_back(drape_model(laws.areal_mass, coarse));
   levels.push_back(drape.model);
   const Stopwatch watch;
   drape.report = find_equilibrium_nested(levels, material, drape.state, options, progress);
-  if (!drape.report.converged) {
-    // It runs to and fro across a corner of a law: from there with a search along each step.
-    const EquilibriumReport first = drape.report;
-    options.guards = true;
-    drape.report = find_equilibrium(drape.model, material, drape.state, options, progress);
-    drape.report.steps += first.steps;
-    drape.report.iterations += first.iterations;
-  }
   drape.seconds = watch.seconds();
   const ClothModel& model = drape.model;
   const auto height = [&](int column, int row) {

@@ -26,7 +26,7 @@ struct EquilibriumOptions {
   double reduction = 0.1;      ///< and down to this part of the residual
   std::uint64_t seed = 0;      ///< of the perturbation
   double perturbation = 0.0;   ///< largest random shift of a free slot along z before the start [m]
-  bool guards = false;         ///< search back along each step for a lower energy: slower, ends limit cycles
+  bool guards = false;         ///< search back along each step for a lower energy: a slower step, no leaps
   Vec3 gravity = {0.0, 0.0, -kStandardGravity};
   Preconditioner preconditioner = Preconditioner::kYarnLines;
 };
