@@ -91,6 +91,10 @@ struct Table {
       session.send(move(0, Vec3(0.04, -0.06, way)));
       if (t == from + 100) session.send(plain(Kind::kRelease, 0));
       if (t == from + 150) session.send(grab(0, {0.01, 0.01}, {0.01, -0.07, 0.0}));
+      // At 500, where the state is kept, the first hold is free and the second is not.
+      if (t == from + 450) session.send(plain(Kind::kRelease, 0));
+      if (t == from + 550) session.send(grab(0, {0.03, 0.03}, {0.03, -0.05, 0.0}));
+      if (t == from + 600) session.send(move(3, Vec3(0.02, -0.08, 0.04), 150));
       if (t == from + 120) session.send(plain(Kind::kMotion, 0, true));
       play_to(std::min(t + 10, to));
     }
