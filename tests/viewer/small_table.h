@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -75,6 +76,7 @@ struct Table {
     session.play(false);
     round();
     REQUIRE(session.ticks() == tick);
+    hashes[tick] = session.state_hash();
   }
   void seek(std::int64_t tick) {
     session.seek(tick);
@@ -91,12 +93,16 @@ struct Table {
       session.send(move(0, Vec3(0.04, -0.06, way)));
       if (t == from + 100) session.send(plain(Kind::kRelease, 0));
       if (t == from + 150) session.send(grab(0, {0.01, 0.01}, {0.01, -0.07, 0.0}));
+      // At 500, where the state is kept, a hold between two others is free: the scene's hand took the first.
+      if (t == from + 450) session.send(plain(Kind::kRelease, 3));
+      if (t == from + 550) session.send(grab(3, {0.03, 0.03}, {0.03, -0.05, 0.0}));
       if (t == from + 120) session.send(plain(Kind::kMotion, 0, true));
       play_to(std::min(t + 10, to));
     }
   }
 
   ViewSession session;
+  std::map<std::int64_t, std::uint64_t> hashes;  // wherever it was played to
   double wall_us = 0.0;
 };
 

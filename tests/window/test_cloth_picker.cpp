@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
@@ -25,9 +26,7 @@ SurfaceMesh curved_sheet() {
   return make_lattice_mesh(kNodes, kNodes, kSpacing, positions);
 }
 
-double uniform(double low, double high) {
-  return low + (high - low) * *rc::gen::inRange(0, 1'000'001) / 1e6;
-}
+double uniform(double low, double high) { return low + (high - low) * *rc::gen::inRange(0, 1'000'001) / 1e6; }
 
 }  // namespace
 

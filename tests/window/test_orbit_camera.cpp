@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "fuai/window/orbit_camera.h"
@@ -28,9 +29,7 @@ Vec2 place_of(const OrbitCamera& camera, const Vec3& point) {
   return {2.0 * pixel.x() / kWidth - 1.0, 1.0 - 2.0 * pixel.y() / kHeight};
 }
 
-double uniform(double low, double high) {
-  return low + (high - low) * *rc::gen::inRange(0, 1'000'001) / 1e6;
-}
+double uniform(double low, double high) { return low + (high - low) * *rc::gen::inRange(0, 1'000'001) / 1e6; }
 
 }  // namespace
 
