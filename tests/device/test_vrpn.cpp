@@ -183,6 +183,14 @@ TEST_SUITE("unit") {
       bench.server.say(vrpn_message(4, FakeVrpn::kForceError, error));
       CHECK(bench.step(*device, kPull).status == status);
     }
+    // A server that never takes an error back does not end the session.
+    bench.server.silent = false;
+    Bytes error;
+    put32(error, 2);
+    bench.server.say(vrpn_message(4, FakeVrpn::kForceError, error));
+    for (int i = 0; i < 499; ++i) CHECK(bench.step(*device, kPull).status == kDeviceForceOff);
+    for (int i = 0; i < 5; ++i) bench.step(*device, kPull);
+    CHECK(device->read().status == kDeviceReady);
   }
 
   TEST_CASE("VRPN: descriptions in any order, a UDP description, one byte at a time, other senders") {

@@ -16,6 +16,7 @@ constexpr const char* kDriver = "vrpn";
 constexpr double kSilence = 0.25;      ///< of a force device until its samples are not trusted [s]
 constexpr double kDead = 10.0;         ///< of any server until the connection is given up [s]
 constexpr double kAgain = 1.0;         ///< between attempts to connect, and between pings [s]
+constexpr double kTrouble = 0.5;       ///< that an error of force counts, as not all servers take it back [s]
 constexpr double kRadius = 0.01;       ///< of the force field [m]
 constexpr double kLastWords = 0.1;     ///< for the last field at closing [s]
 constexpr int kMostReads = 16;         ///< of 4 KiB each in one read()
@@ -172,7 +173,7 @@ void DeviceVrpn::listen(double now) noexcept {
     retry_.wait(now, kAgain);
     client_.restart();
     greeted_ = false;
-    pose_count_ = 0;
+    pose_count_ = error_count_ = 0;
     heard_ = now;
     socket_.connect(address_);
   }
@@ -195,6 +196,8 @@ void DeviceVrpn::listen(double now) noexcept {
     break;
   }
   const VrpnState& state = client_.state();
+  if (state.force_error_count != error_count_) troubled_ = now;
+  error_count_ = state.force_error_count;
   if (state.pose_count == pose_count_) return;
   pose_count_ = state.pose_count;
   posed_ = now;
@@ -230,7 +233,8 @@ DeviceSample DeviceVrpn::read() noexcept {
   if (!trusted(now))
     last_.status = kDeviceDisconnected;
   else
-    last_.status = status_of(client_.state().force_error) | (saturated_ ? kDeviceSaturated : kDeviceReady);
+    last_.status = (now - troubled_ <= kTrouble ? status_of(client_.state().force_error) : kDeviceReady) |
+                   (saturated_ ? kDeviceSaturated : kDeviceReady);
   return last_;
 }
 

@@ -64,7 +64,8 @@ class DeviceVrpn final : public Device {
   RetryTimer retry_, ping_;
   bool greeted_ = false, has_force_ = false, saturated_ = false, refused_ = false;
   double heard_ = 0.0, posed_ = 0.0;  // when there was something, and a position [s]
-  std::uint32_t pose_count_ = 0;
+  double troubled_ = -1e9;            // when the server told of an error of force [s]
+  std::uint32_t pose_count_ = 0, error_count_ = 0;
   DeviceSample last_;
 };
 

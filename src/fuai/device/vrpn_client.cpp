@@ -125,7 +125,9 @@ bool VrpnClient::take_message(const VrpnMessage& message) noexcept {
       take_buttons(payload);
       return true;
     case kForceError:
-      if (payload.size() >= 4) state_.force_error = read_vrpn_int(payload, 0);
+      if (payload.size() < 4) return true;
+      state_.force_error = read_vrpn_int(payload, 0);
+      ++state_.force_error_count;
       return true;
     default:
       return true;

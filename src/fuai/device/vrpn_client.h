@@ -25,7 +25,7 @@ struct VrpnState {
   bool poses = false;         ///< there has been one
   bool knows_device = false;  ///< the server has described a sender of this name
   bool knows_forces = false;  ///< and the messages of a force device
-  std::uint32_t pose_count = 0, message_count = 0;
+  std::uint32_t pose_count = 0, message_count = 0, force_error_count = 0;
 };
 
 /// One device of one server.
