@@ -56,7 +56,7 @@ PlotGrid force_plots(const std::vector<FeltBending>& runs) {
 }
 
 /// A line from the hand along a force.
-Series arrow(const BendingMoment& moment, const Vec3& force, int colour, const std::string& label) {
+Series arrow(const Vec3& hand, const Vec3& force, int colour, const std::string& label) {
   Series series;
   series.label = label;
   series.colour = colour;
@@ -64,8 +64,8 @@ Series arrow(const BendingMoment& moment, const Vec3& force, int colour, const s
   const double length = force.norm();
   for (double share : {0.0, 1.0}) {
     const double along = length > 0.0 ? share * kArrow / length : 0.0;
-    series.x.push_back(100.0 * moment.tool.x() + along * force.x());
-    series.y.push_back(100.0 * moment.tool.z() + along * force.z());
+    series.x.push_back(100.0 * hand.x() + along * force.x());
+    series.y.push_back(100.0 * hand.z() + along * force.z());
   }
   return series;
 }
@@ -90,8 +90,9 @@ PlotGrid direction_plots(const std::vector<FeltBending>& runs) {
         yarn.y.push_back(100.0 * place.z());
       }
       plot.series.push_back(yarn);
-      plot.series.push_back(arrow(shape.moment, shape.moment.reaction, 4, first ? "true reaction" : ""));
-      plot.series.push_back(arrow(shape.moment, shape.moment.paper_bend, 3, first ? "Eq. (7), bending" : ""));
+      plot.series.push_back(arrow(shape.yarn.back(), shape.moment.reaction, 4, first ? "true reaction" : ""));
+      plot.series.push_back(
+          arrow(shape.yarn.back(), shape.moment.paper_bend, 3, first ? "Eq. (7), bending" : ""));
     }
     grid.plots.push_back(plot);
   }
