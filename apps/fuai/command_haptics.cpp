@@ -304,6 +304,7 @@ void declare_haptics(const Command& parent) {
   devices.examples({"fuai haptics devices", "fuai haptics devices --diagnose"});
   devices.body([diagnose](const Console& console) { return run_devices(console, *diagnose); });
   declare_run(haptics);
+  declare_haptics_paper(haptics);
   haptics.examples({"fuai haptics devices --diagnose", "fuai haptics run --virtual-time"});
 }
 

@@ -10,6 +10,7 @@
 #include "fuai/core/hash.h"
 #include "fuai/haptics/session_replay.h"
 #include "fuai/io/text_file.h"
+#include "fuai/viewer/view_log.h"
 #include "scene_options.h"
 #include "scene_recording.h"
 
@@ -65,7 +66,31 @@ ReplayResult replay_simulated(const Console& console, const SessionLog& log, con
   return replay_scene(run, records.ticks, records.steps, console.progress());
 }
 
+/// A recording of the viewer.
+int replay_viewed(const Console& console, const ReplayOptions& options) {
+  if (!options.csv.empty()) {
+    throw Error(ErrorKind::kUsage, "--csv is for recordings of `simulate` and `haptics run`", {},
+                "log the forces in the viewer: File menu, or leave it out");
+  }
+  const std::vector<ViewLogPart> parts = read_view_log(options.file);
+  const ViewReplay replay = replay_view_log(parts);
+  console.line("viewer, recorded to tick " + std::to_string(replay.ticks) + ", compared " +
+               std::to_string(replay.hashes) + " hashes");
+  console.line("state hash    " + hash_text(replay.state_hash) +
+               (replay.matches() ? ", matches" : ", does not match"));
+  JsonValue json;
+  json.set("state_hash", hash_text(replay.state_hash)).set("matches", replay.matches());
+  json.set("ticks", replay.ticks).set("checkpoints", replay.hashes);
+  json.set("first_wrong_tick",
+           replay.first_difference < 0 ? JsonValue() : JsonValue(replay.first_difference));
+  console.result(json.set("kind", "view"));
+  if (replay.matches()) return 0;
+  console.warn("the replay does not match: another program or another processor");
+  return kExitCheckFailed;
+}
+
 int run_replay(const Console& console, const ReplayOptions& options) {
+  if (options.file.ends_with(".fuai-view")) return replay_viewed(console, options);
   if (!options.csv.empty()) check_can_write(options.csv);
   const SessionLog log = read_session_log(options.file);
   if (!log.damage.empty()) console.warn(options.file + ": " + log.damage + "; what is whole is replayed");
@@ -118,7 +143,7 @@ void declare_replay(const Command& parent) {
   const auto options = std::make_shared<ReplayOptions>();
   const Command command =
       parent.command("replay", "Do a recorded run again, bit for bit, and say whether it comes out the same");
-  command.option("FILE", options->file, "What --record of `simulate` or `haptics run` wrote (.fuailog)")
+  command.option("FILE", options->file, "What --record of `simulate` or `haptics run` wrote (.fuailog), or of `view` (.fuai-view)")
       .required();
   command.option("--csv", options->csv, "Also write all ticks as CSV, SI units").file();
   command.examples({"fuai replay pull.fuailog", "fuai --json replay pull.fuailog --csv pull.csv"});

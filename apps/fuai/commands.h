@@ -16,6 +16,8 @@ void declare_drape(const Command& parent);
 void declare_fabrics(const Command& parent);
 void declare_fit(const Command& parent);
 void declare_haptics(const Command& parent);
+/// @param parent the group `haptics`
+void declare_haptics_paper(const Command& parent);
 void declare_import(const Command& parent);
 void declare_kes(const Command& parent);
 void declare_loop(const Command& parent);

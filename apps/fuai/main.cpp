@@ -44,8 +44,8 @@ void declare_commands(const Command& top) {
   declare_loop(top);
   declare_kes(top);
   declare_haptics(top);
-  declare_view(top);
   declare_replay(top);
+  declare_view(top);
   declare_report(top);
   declare_batch(top, declare_commands);
 }

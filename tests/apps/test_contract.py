@@ -27,7 +27,7 @@ class Unit(Case):
 
     def test_wrong_usage_names_the_word_and_exits_with_2(self):
         for words, message in [
-            (["nosuch"], "has no command 'nosuch'; did you mean 'batch'?\nThe commands are fabrics, fabric, paper, scenes, render, simulate, cantilever, drape, loop, kes, haptics, replay, report or batch."),
+            (["nosuch"], "has no command 'nosuch'; did you mean 'batch'?\nThe commands are fabrics, fabric, paper, scenes, render, simulate, cantilever, drape, loop, kes, haptics, replay, view, report or batch."),
             (["fabrcs"], "did you mean 'fabrics'?"),
             (["fabric", "shw"], "did you mean 'show'?"),
             (["render", "paper_drape", "--tme", "2s", "-o", "a.png"], "did you mean '--time'?"),

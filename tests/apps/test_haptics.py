@@ -102,6 +102,29 @@ class Unit(Case):
         self.assertEqual((replayed["ticks"], replayed["cloth_steps"]), (400, result["cloth_steps"]))
 
 
+class Pictures(Case):
+    def test_the_cloth_of_the_paper_bent_in_the_hand(self):
+        result = self.json_of("haptics", "paper", "graded-10", "graded-1", "-o", "felt")
+        self.assertEqual(self.files(), [f"felt/{name}" for name in [
+            "directions.png", "directions.svg", "force.png", "force.svg", "graded-1.csv", "graded-10.csv",
+            "index.html", "summary.csv"]])
+        stiff, soft = result["runs"]
+        self.assertEqual((stiff["fabric"], soft["fabric"]), ("graded-10", "graded-1"))
+        for run in (stiff, soft):
+            # As far as the arc goes, less what the hand gives way; friction: back lies below out.
+            self.assertAlmostEqual(run["top_curvature_per_m"], 18, delta=0.2)
+            self.assertLess(run["reaction_at_half_N"]["back"], 0.5 * run["reaction_at_half_N"]["out"])
+        # The rigidities differ by 9.4; what shakes by the device is some 0.05 mN.
+        self.assertGreater(stiff["reaction_at_half_N"]["out"], 3 * soft["reaction_at_half_N"]["out"])
+        self.assertGreater(stiff["reaction_at_half_N"]["out"], 4e-4)
+        with open(self.folder / "felt/graded-10.csv", encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertGreater(len(rows), 70)
+        for row in rows[10:]:  # what the device gave is what the cloth did, in the means of a tenth of a second
+            for axis in "xyz":
+                self.assertAlmostEqual(float(row[f"felt_{axis}_N"]), float(row[f"reaction_{axis}_N"]), delta=2e-5)
+
+
 class Safety(Case):
     def start(self, *words):
         process = subprocess.Popen([PROGRAM, "--json", *words], cwd=self.folder, text=True, stdout=subprocess.PIPE,

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <limits>
@@ -28,10 +29,13 @@ class RacingClock final : public SessionClock {
   double now() noexcept override { return time_; }
   void sleep_until(double time) noexcept override {
     time_ = std::max(time_, time) + (++sleeps_ == late_sleep ? lateness : 0.0);
-    std::this_thread::yield();
+    if (sleeps_ % yields_every == 0) std::this_thread::yield();
+    if (pause.count() > 0) std::this_thread::sleep_for(pause);
   }
-  std::uint64_t late_sleep = 0;  ///< this one wakes late
-  double lateness = 0.0;         ///< [s]
+  std::uint64_t yields_every = 1;      ///< handing over costs more than a tick where cores are scarce
+  std::chrono::microseconds pause{0};  ///< really sleeps so long
+  std::uint64_t late_sleep = 0;        ///< this one wakes late
+  double lateness = 0.0;               ///< [s]
 
  private:
   double time_ = 100.0;
@@ -246,6 +250,8 @@ TEST_SUITE("realtime") {
       std::uint64_t ticks = 0;
     } bin;
     Trial trial;
+    trial.force_clock.yields_every = 1000;
+    trial.cloth_clock.pause = std::chrono::microseconds(200);
     Recorder recorder(bin, 4096, false);
     Counter counter(recorder);
     const RealtimeReport report = trial.run(options_of(1'000'000), &counter);

@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <string>
 #include <tuple>
@@ -90,6 +92,18 @@ TEST_SUITE("unit") {
     }
     for (int action = 1; action <= static_cast<int>(KeyAction::kQuit); ++action)
       CHECK(std::string(key_label(static_cast<KeyAction>(action))) != "");
+  }
+
+  TEST_CASE("The manual has the table of keys") {
+    std::ifstream file(FUAI_SOURCE_DIR "/docs/viewer.md");
+    const std::string manual((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    REQUIRE_FALSE(manual.empty());
+    for (const KeyRow& row : key_table()) {
+      const std::string line =
+          std::string("| ") + row.label + " | " + ui_text(row.what, Language::kEnglish) + " |";
+      CAPTURE(line);
+      CHECK(manual.find(line) != std::string::npos);
+    }
   }
 
   TEST_CASE("Quantities stand at the numbers of their fields, with units that are not the same number") {

@@ -6,6 +6,11 @@
 #include <cmath>
 
 namespace fuai {
+namespace {
+
+constexpr double kEdgeOn = 1e-9;
+
+}  // namespace
 
 std::optional<ClothHit> pick_cloth(const SurfaceMesh& mesh, const Ray& ray) {
   std::optional<ClothHit> nearest;
@@ -16,7 +21,8 @@ std::optional<ClothHit> pick_cloth(const SurfaceMesh& mesh, const Ray& ray) {
     // origin + t d = A + u AB + v AC, by Cramer's rule with the triple product d x AC . AB.
     const Vec3 d_ac = ray.direction.cross(ac);
     const double det = ab.dot(d_ac);
-    if (det == 0.0) continue;
+    // Seen edge on, what is hit is rounding.
+    if (std::abs(det) <= kEdgeOn * ab.norm() * ac.norm()) continue;
     const Vec3 from_a = ray.origin - mesh.positions[i];
     const double u = from_a.dot(d_ac) / det;
     if (!(u >= 0.0 && u <= 1.0)) continue;

@@ -50,7 +50,7 @@ constexpr UiText kTexts[] = {
     {kKeyUndo, "Undo", "元に戻す"},
     {kKeyRedo, "Redo", "やり直す"},
     {kKeySave, "Save the fabric as it is now", "今の生地を保存"},
-    {kKeyOpen, "Open a fabric or a recording", "生地や記録を開く"},
+    {kKeyOpen, "Open a fabric", "生地を開く"},
     {kKeyQuit, "Quit", "終了"},
     {kScene, "Scene", "場面"},
     {kFabric, "Fabric", "生地"},
