@@ -49,7 +49,7 @@ bool counts_up(const std::vector<std::uint64_t>& numbers) {
 TEST_SUITE("unit") {
   TEST_CASE("two threads tell a patient recorder: everything arrives, in order, and is flushed") {
     Keeper keeper;
-    Recorder recorder(keeper, 16, true);
+    Recorder recorder(keeper, 1024, true);  // fills, and is waited for, some twenty times
     std::thread cloth([&] {
       for (std::uint64_t i = 0; i < 3000; ++i) {
         ClothStepRecord step;

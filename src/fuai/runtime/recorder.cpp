@@ -34,7 +34,8 @@ void Recorder::put(SpscQueue<T>& ring, const T& record) noexcept {
       lost_.fetch_add(1, std::memory_order_relaxed);
       return;
     }
-    std::this_thread::yield();
+    // The writer looks seldom; to spin until then would take the core that it needs.
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 }
 
