@@ -204,19 +204,27 @@ TEST_SUITE("realtime") {
       "two racing threads: no pose or model is torn, for the replay of all that was told has the same bits") {
     // A torn pose or model has numbers of two moments, and its force other bits than the whole one's. Under
     // the thread sanitizer the same run proves that nothing is shared but by mailbox.
-    Trial trial;
-    Keeper keeper(20'000);
-    const RealtimeReport report = trial.run(options_of(20'000), &keeper);
-    CHECK(report.ticks == 20'000);
-    CHECK(report.cloth_steps == keeper.steps.size());
-    CHECK(keeper.steps.size() > 100);
-    Trial again;
-    ForcePath* path = &again.path;
-    const ReplayResult result = replay_session({&path, 1}, again.wall, keeper.ticks, keeper.steps);
-    CHECK(result.matches());
-    CHECK(result.ticks == 20'000);
+    // How often they meet is the machine's affair: a busy one may give the cloth's thread hardly a turn in
+    // twenty thousand ticks.
+    constexpr std::size_t kMeetings = 100;
+    constexpr int kMostRuns = 200;
+    std::size_t meetings = 0;
     double largest = 0.0;
-    for (const TickRecord& record : keeper.ticks) largest = std::max(largest, record.tick.force.norm());
+    for (int run = 0; run < kMostRuns && (meetings <= kMeetings || largest <= 0.3); ++run) {
+      Trial trial;
+      Keeper keeper(20'000);
+      const RealtimeReport report = trial.run(options_of(20'000), &keeper);
+      CHECK(report.ticks == 20'000);
+      CHECK(report.cloth_steps == keeper.steps.size());
+      meetings += keeper.steps.size();
+      Trial again;
+      ForcePath* path = &again.path;
+      const ReplayResult result = replay_session({&path, 1}, again.wall, keeper.ticks, keeper.steps);
+      CHECK(result.matches());
+      CHECK(result.ticks == 20'000);
+      for (const TickRecord& record : keeper.ticks) largest = std::max(largest, record.tick.force.norm());
+    }
+    CHECK(meetings > kMeetings);
     CHECK(largest > 0.3);
   }
 

@@ -69,7 +69,7 @@ std::optional<ClothHit> cloth_at(const ViewerState& state, std::size_t tile, con
 void press_left(ViewerState& state, std::size_t tile, const Vec2& pixel, bool stays) {
   const int near = hand_near(state, tile, pixel);
   const std::optional<ClothHit> hit = cloth_at(state, tile, pixel);
-  if (ImGui::IsMouseDoubleClicked(0)) {
+  if (ImGui::IsMouseDoubleClicked(0) || state.left_presses > 1) {
     if (near >= 0)
       state.hands.release(*state.session, near);
     else if (hit)
@@ -105,6 +105,15 @@ void drag_hand(ViewerState& state, const Vec2& pixel, double wheel) {
   state.hands.move(*state.session, state.drag.hand, target);
 }
 
+/// The button was let go and pressed again between two pictures while it held: a double click.
+void click_again(ViewerState& state) {
+  const UserHand held = state.hands.hand(static_cast<std::size_t>(state.drag.hand));
+  const bool pins = !held.pinned && !state.drag.stays;
+  state.hands.release(*state.session, state.drag.hand);
+  state.drag = {};
+  if (pins) state.hands.grab(*state.session, held.cloth, held.material, held.target, true);
+}
+
 void drag_camera(ViewerState& state) {
   const ImVec2 delta = ImGui::GetIO().MouseDelta;
   const Vec2 move(static_cast<double>(delta.x), static_cast<double>(delta.y));
@@ -136,6 +145,10 @@ void handle_mouse(ViewerState& state) {
       const ScreenTile& t = state.tiles[static_cast<std::size_t>(tile)];
       state.camera.zoom(wheel, place_in(t, pixel), aspect_of(t));
     }
+    return;
+  }
+  if (state.drag.kind == Drag::Kind::kHand && state.left_presses > 0) {
+    click_again(state);
     return;
   }
   if (state.drag.kind == Drag::Kind::kHand)

@@ -164,6 +164,7 @@ class Viewer {
       frame_next_ = false;
     }
     handle_keys(state_, host_->take_keys());
+    state_.left_presses = host_->take_left_presses();
     panels();
     handle_mouse(state_);
     draw_overlay_2d(state_);

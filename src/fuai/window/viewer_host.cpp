@@ -51,6 +51,10 @@ class WindowHost final : public ViewerHost {
       self->keys_.push_back(
           {key, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0, action == GLFW_REPEAT});
     });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
+      auto* self = static_cast<WindowHost*>(glfwGetWindowUserPointer(window));
+      if (button == GLFW_MOUSE_BUTTON_LEFT && action == GLFW_PRESS) ++self->left_presses_;
+    });
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
     ImGui_ImplOpenGL3_Init(kGlsl);
   }
@@ -92,6 +96,7 @@ class WindowHost final : public ViewerHost {
     glfwGetWindowSize(window_, &place_[2], &place_[3]);
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
   }
+  int take_left_presses() override { return std::exchange(left_presses_, 0); }
   std::vector<KeyPress> take_keys() override { return std::exchange(keys_, {}); }
   std::vector<std::string> take_dropped() override { return std::exchange(dropped_, {}); }
 
@@ -110,6 +115,7 @@ class WindowHost final : public ViewerHost {
   int place_[4] = {0, 0, 0, 0};
   std::vector<std::string> dropped_;
   std::vector<KeyPress> keys_;
+  int left_presses_ = 0;
 };
 
 class HeadlessHost final : public ViewerHost {

@@ -32,6 +32,8 @@ class ViewerHost {
   /// Keys that were pressed since the last call. Not asked from ImGui, which looks once a picture: a key that
   /// was pressed and let go between two pictures counts.
   virtual std::vector<KeyPress> take_keys() { return {}; }
+  /// How often the left button went down since the last call: two within one picture are a double click.
+  virtual int take_left_presses() { return 0; }
   /// Paths that were dropped on it since the last call.
   virtual std::vector<std::string> take_dropped() { return {}; }
 };

@@ -73,6 +73,7 @@ struct ViewerState {
 
   HandBook hands;
   Drag drag;
+  int left_presses = 0;  ///< since the last picture
   OrbitCamera camera;
   std::vector<ScreenTile> tiles;  ///< by cloth, in pixels of the screen
   bool playing = true;

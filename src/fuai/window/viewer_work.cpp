@@ -59,8 +59,7 @@ void make_meshes(ViewerState& state) {
 }
 
 bool same_lattice(const ViewSetup& a, const ViewSetup& b) {
-  return a.scene == b.scene && a.size.size == b.size.size && a.size.spacing == b.size.spacing &&
-         a.fabrics.size() == b.fabrics.size();
+  return a.scene == b.scene && a.size.size == b.size.size && a.size.spacing == b.size.spacing;
 }
 
 /// Runs a change of the document; what it throws is told.
