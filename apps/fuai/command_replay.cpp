@@ -143,7 +143,9 @@ void declare_replay(const Command& parent) {
   const auto options = std::make_shared<ReplayOptions>();
   const Command command =
       parent.command("replay", "Do a recorded run again, bit for bit, and say whether it comes out the same");
-  command.option("FILE", options->file, "What --record of `simulate` or `haptics run` wrote (.fuailog), or of `view` (.fuai-view)")
+  command
+      .option("FILE", options->file,
+              "What --record of `simulate` or `haptics run` wrote (.fuailog), or of `view` (.fuai-view)")
       .required();
   command.option("--csv", options->csv, "Also write all ticks as CSV, SI units").file();
   command.examples({"fuai replay pull.fuailog", "fuai --json replay pull.fuailog --csv pull.csv"});

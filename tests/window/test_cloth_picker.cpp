@@ -39,10 +39,10 @@ TEST_SUITE("property") {
       const double r = std::sqrt(1.0 - z * z);
       const Vec3 eye = 0.8 * Vec3(r * std::cos(azimuth), r * std::sin(azimuth), z);
       const auto& [a, b, c] = mesh.triangles[static_cast<std::size_t>(*rc::gen::inRange<int>(0, 800))];
-      const Vec3 middle = (mesh.positions[static_cast<std::size_t>(a)] +
-                           mesh.positions[static_cast<std::size_t>(b)] +
-                           mesh.positions[static_cast<std::size_t>(c)]) /
-                          3.0;
+      const Vec3 middle =
+          (mesh.positions[static_cast<std::size_t>(a)] + mesh.positions[static_cast<std::size_t>(b)] +
+           mesh.positions[static_cast<std::size_t>(c)]) /
+          3.0;
       const Ray ray{eye, (middle - eye).normalized()};
       const auto hit = pick_cloth(mesh, ray);
       if (!hit) return;  // seen edge on

@@ -34,7 +34,8 @@ class Window:
         self.folder = pathlib.Path(folder)
         read, write = os.pipe()
         self.server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x720x24"],
-                                       pass_fds=[write], stderr=subprocess.DEVNULL)
+                                       pass_fds=[write], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as pipe:
             display = ":" + pipe.readline().strip()
@@ -46,14 +47,19 @@ class Window:
              str(self.folder / "end.png"), *words],
             env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.window = wait_for("the window", lambda: self.do("search", "--name", "^fuai$", check=False).split())[0]
-        self.do("windowfocus", self.window)
         wait_for("the first pictures", lambda: self.events("hash", 5))
+        wait_for("the focus", self.focus)
 
     def do(self, *words, check=True):
-        run = subprocess.run(["xdotool", *words], env=self.environment, capture_output=True, text=True)
+        run = subprocess.run(["xdotool", *words], env=self.environment, capture_output=True, text=True,
+                             timeout=PATIENCE)
         if check and run.returncode != 0:
             raise AssertionError(run.stderr)
         return run.stdout
+
+    def focus(self):
+        self.do("windowfocus", self.window, check=False)  # refused until the window is there to be seen
+        return self.do("getwindowfocus", check=False).strip() == self.window
 
     def key(self, name):
         self.do("key", name)

@@ -32,8 +32,8 @@ void check_image_size(int width, int height);
 /// there is none, or sizes differ. Thread class: any.
 Image tile_images(const std::vector<Image>& images, int columns);
 
-/// Straight alpha instead of colours that were multiplied by alpha in linear light, as the painter leaves them.
-/// Thread class: any.
+/// Straight alpha instead of colours that were multiplied by alpha in linear light, as the painter leaves
+/// them. Thread class: any.
 void make_alpha_straight(Image& image);
 
 /// The bytes of a PNG file. Throws Error kNoDevice when built without pictures. Thread class: set-up.

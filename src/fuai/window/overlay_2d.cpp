@@ -94,7 +94,7 @@ void draw_hands(const ViewerState& state, ImDrawList& list, std::size_t cloth) {
 }
 
 void draw_name(const ViewerState& state, ImDrawList& list, std::size_t cloth) {
-  const ViewFabric& fabric = state.document.setup().fabrics[cloth];
+  const ViewFabric& fabric = state.built.fabrics[cloth];
   const ScreenTile& tile = state.tiles[cloth];
   const float unit = ImGui::GetFontSize();
   std::string text = fabric.measured.name;

@@ -29,7 +29,7 @@ Plot force_plot(const ViewerState& state, bool against_way) {
   plot.title = state.text(against_way ? TextId::kForceWay : TextId::kForceTime);
   plot.x_label = state.text(against_way ? TextId::kWayMillimetre : TextId::kTimeSeconds);
   plot.y_label = force_label(state);
-  const std::size_t count = state.document.setup().fabrics.size();
+  const std::size_t count = state.built.fabrics.size();
   plot.legend = count > 1;
   double most = 0.0;
   for (std::size_t cloth = 0; cloth < count; ++cloth) {

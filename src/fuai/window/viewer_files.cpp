@@ -107,7 +107,7 @@ Image ViewerFiles::cloths_image(const ViewerState& state, ScreenTarget& target, 
       picture.background.alpha = 0.0;
       picture.ground.shown = false;
     }
-    if (state.settings.arrows)
+    if (state.settings.arrows && i < state.snapshot().cloths.size())
       add_pull_arrows(state.cloths->scene(i), readings_of(state.snapshot().cloths[i]), picture);
     if (picture.colour_bar) {
       const ViewQuantity& q = view_quantities()[static_cast<std::size_t>(state.settings.heat_map)];
@@ -119,12 +119,12 @@ Image ViewerFiles::cloths_image(const ViewerState& state, ScreenTarget& target, 
         for (double& value : cloth.mesh.values) value /= unit.to_si;
     }
     if (caption) {
-      const ViewFabric& fabric = state.document.setup().fabrics[i];
+      const ViewFabric& fabric = state.built.fabrics[i];
       char time[48];
       std::snprintf(time, sizeof time, ", %.3f s, fuai %s", state.snapshot().time, version_.c_str());
       picture.caption = fabric.measured.name +
                         (fabric.changed() ? std::string(" (") + state.text(TextId::kChanged) + ")" : "") +
-                        "\n" + state.document.setup().scene + time;
+                        "\n" + state.built.scene + time;
     }
     painter.paint(picture, target.begin_tile(tile), tile.width, tile.height);
     target.end_tile(tile);
@@ -200,7 +200,7 @@ void ViewerFiles::toggle_force_log(ViewerState& state) {
 
 void ViewerFiles::save_fabric(ViewerState& state) {
   try_files(state, [&] {
-    const ViewFabric& fabric = state.document.setup().fabrics.front();
+    const ViewFabric& fabric = state.built.fabrics.front();
     const Fabric scaled = scaled_fabric(fabric);
     const std::string path = free_name(scaled.id.empty() ? "fabric" : scaled.id, ".fabric.toml");
     write_fabric_file(path, scaled);
@@ -215,7 +215,7 @@ void ViewerFiles::serve(ViewerState& state, ScreenTarget& target, ClothPainter& 
   if (wishes.record) toggle_recording(state);
   if (wishes.force_log) toggle_force_log(state);
   if (wishes.save) save_fabric(state);
-  const std::string name = state.document.setup().fabrics.front().measured.id;
+  const std::string name = state.built.fabrics.front().measured.id;
   const auto export_mesh = [&](const char* ending, const auto& bytes_of) {
     try_files(state, [&] {
       const std::string path = free_name("fuai", ending);

@@ -87,7 +87,7 @@ struct ViewerState {
   bool browsing = false;  ///< the file panel is open
   std::string browse_folder;
   std::uint64_t built_version = 0;  ///< of the document, that `cloths` were built for
-  ViewSetup built;                  ///< that setup
+  ViewSetup built;                  ///< that setup: what is seen; the document may be a change ahead
   bool hint = true;
 
   explicit ViewerState(ViewSetup setup) : document(std::move(setup)) {}
