@@ -28,10 +28,14 @@ def public_names(folder):
     return {name for text in texts for name in CONSTANTS.findall(text) + TYPES.findall(text)}
 
 
+# The body of a private class, whose members may have types of the unnamed namespace in a file of its own only.
+PRIVATE_BODY = re.compile(r"^(?:struct|class) \w+::\w+", re.M)
+
+
 def stands_alone(path):
     """Kernels include themselves once an instruction set; what hides a name may not meet what shows it."""
     text = path.read_text(encoding="utf-8")
-    return "foreach_target.h" in text or "IMPLEMENT_WITH_MAIN" in text
+    return "foreach_target.h" in text or "IMPLEMENT_WITH_MAIN" in text or bool(PRIVATE_BODY.search(text))
 
 
 def grouped(files, most):
@@ -55,7 +59,7 @@ if __name__ == "__main__":
     top = pathlib.Path(__file__).resolve().parent.parent / "src"
     public = public_names(top)
     files = [pathlib.Path(name) for name in sys.argv[2:]]
-    together = [f for f in files if not own_names(f) & public]
+    together = [f for f in files if not own_names(f) & public and not stands_alone(f)]
     lines = []
     for number, group in enumerate(grouped(together, int(sys.argv[1]))):
         lines += [f"{number};{file}" for file in group]

@@ -79,8 +79,14 @@ void draw_hand(const ViewerState& state, ImDrawList& list, const ScreenTile& til
     draw_head(list, flat(patch), label, 10.0F * scale, colour);
   }
   if (mark.pinned && force < 1e-3) return;
-  write(list, {label.x + 10.0F * scale, label.y - 8.0F * scale}, force_text(force), state.settings.dark,
-        colour);
+  const std::string text = force_text(force);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  // Inside the tile, at its upper left edge where it is too small.
+  const float right = static_cast<float>(tile.left + tile.width) - size.x - 4.0F;
+  const float low = static_cast<float>(tile.top + tile.height) - size.y - 4.0F;
+  const float x = std::max(std::min(label.x + 10.0F * scale, right), static_cast<float>(tile.left) + 4.0F);
+  const float y = std::max(std::min(label.y - 8.0F * scale, low), static_cast<float>(tile.top) + 4.0F);
+  write(list, {x, y}, text, state.settings.dark, colour);
 }
 
 void draw_hands(const ViewerState& state, ImDrawList& list, std::size_t cloth) {

@@ -101,8 +101,10 @@ void remember_forces(ViewerState& state) {
   moment.time = snapshot.time;
   moment.hand = state.hands.last();
   for (const ClothView& cloth : snapshot.cloths) {
-    const auto i = static_cast<std::size_t>(std::max(moment.hand, 0));
-    moment.forces.push_back(moment.hand < 0 ? 0.0 : cloth.hands[i].force.norm());
+    // Without a hand of the user's that of the scene.
+    const GraspReading& reading =
+        moment.hand < 0 ? cloth.scene_hands.front() : cloth.hands[static_cast<std::size_t>(moment.hand)];
+    moment.forces.push_back(reading.holds ? reading.force.norm() : 0.0);
     moment.probes.push_back(cloth.probe);
     moment.probed = moment.probed || cloth.probed;
   }
