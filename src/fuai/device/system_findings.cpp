@@ -60,8 +60,9 @@ bool find_usb_devices(std::span<const UsbId> ids, std::vector<DriverFinding>& fi
     const std::string product = read_word(device / "idProduct");
     for (const UsbId& id : ids) {
       if (vendor != id.vendor || (!id.product.empty() && product != id.product)) continue;
-      findings.push_back(permission("USB " + vendor + ":" + product + " (" + std::string(id.name) + ")",
-                                    usb_node(paths, device), true));
+      std::string name = "USB ";
+      name.append(vendor).append(":").append(product).append(" (").append(id.name).append(")");
+      findings.push_back(permission(name, usb_node(paths, device), true));
       any = true;
       break;
     }

@@ -3,7 +3,8 @@
 #include "fuai/haptics/session_replay.h"
 
 #include <array>
-#include <cstring>
+#include <bit>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,9 @@ namespace {
 /// Models that may be on their way at once: a cloth is seldom two steps ahead of a tick; far more are kept.
 constexpr std::size_t kKept = 64;
 
-bool same_bits(double a, double b) noexcept { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool same_bits(double a, double b) noexcept {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
 
 bool same_bits(const ForceTick& a, const ForceTick& b) noexcept {
   for (int i = 0; i < 3; ++i)
