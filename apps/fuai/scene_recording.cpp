@@ -3,8 +3,9 @@
 #include "scene_recording.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 
 #include "fuai/core/error.h"
 
@@ -22,7 +23,9 @@ HandMoment moment_of(const TickRecord& record) {
 }
 
 bool same_bits(const Vec3& a, const Vec3& b) {
-  return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
+  return std::equal(a.begin(), a.end(), b.begin(), [](double p, double q) {
+    return std::bit_cast<std::uint64_t>(p) == std::bit_cast<std::uint64_t>(q);
+  });
 }
 
 [[noreturn]] void refuse(const std::string& what) {

@@ -16,8 +16,6 @@
 
 #include "fuai/core/error.h"
 
-extern char** environ;
-
 namespace fuai {
 
 bool FramePipe::available() {
