@@ -1,5 +1,6 @@
 // `fuai view`.
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "commands.h"
 #include "fuai/core/error.h"
 #include "fuai/core/hash.h"
+#include "fuai/viewer/view_session.h"
 #include "fuai/window/viewer.h"
 #include "scene_options.h"
 
@@ -31,30 +33,31 @@ struct ViewOptions {
 /// The first bundled fabric that a newcomer sees: measured in bending and tension, of middling weight.
 constexpr const char* kFirstFabric = "cupro-woven-su1098";
 
+/// "warp-curvature".
+std::string word_of(const ViewQuantity& quantity) {
+  std::string word = ui_text(quantity.name, Language::kEnglish);
+  std::replace(word.begin(), word.end(), ' ', '-');
+  return word;
+}
+
+/// Number of the field, -1 for no word. @throws Error (kUsage) with all words.
+int heat_map_of(const std::string& word) {
+  if (word.empty()) return -1;
+  std::string words;
+  for (const ViewQuantity& quantity : view_quantities()) {
+    if (word_of(quantity) == word) return static_cast<int>(quantity.field);
+    words.append(words.empty() ? "" : ", ").append(word_of(quantity));
+  }
+  throw Error(ErrorKind::kUsage, "--heat-map: '" + word + "' is not known", {}, "use one of " + words);
+}
+
 ViewSettings settings_of(const ViewOptions& options) {
   ViewSettings settings;
   if (options.language == "ja") settings.language = Language::kJapanese;
   settings.dark = options.theme != "light";
   if (options.units == "si") settings.units = UnitSystem::kSi;
   if (options.bare) settings.fabric_panel = settings.plots = false;
-  if (options.heat_map.empty()) return settings;
-  for (const ViewQuantity& quantity : view_quantities()) {
-    std::string name = ui_text(quantity.name, Language::kEnglish);
-    for (char& c : name)
-      if (c == ' ') c = '-';
-    if (name == options.heat_map) settings.heat_map = static_cast<int>(quantity.field);
-  }
-  if (settings.heat_map < 0) {
-    std::string names;
-    for (const ViewQuantity& quantity : view_quantities()) {
-      std::string name = ui_text(quantity.name, Language::kEnglish);
-      for (char& c : name)
-        if (c == ' ') c = '-';
-      names += (names.empty() ? "" : ", ") + name;
-    }
-    throw Error(ErrorKind::kUsage, "--heat-map: '" + options.heat_map + "' is not known", {},
-                "use one of " + names);
-  }
+  settings.heat_map = heat_map_of(options.heat_map);
   return settings;
 }
 
@@ -69,7 +72,13 @@ int run_view(const Console& console, const ViewOptions& options) {
   viewer.height = options.height;
   viewer.window = !options.headless;
   viewer.scene_moves = options.moves;
-  if (!options.seconds.empty()) viewer.seconds = time_value(options.seconds, "--seconds", true);
+  if (!options.seconds.empty()) {
+    viewer.seconds = time_value(options.seconds, "--seconds", true);
+    steps_of(viewer.seconds, kViewStep, "--seconds");
+    if (!(viewer.seconds > 0.0))
+      throw Error(ErrorKind::kUsage, "--seconds: '" + options.seconds + "' is not above zero", {},
+                  "take e.g. 2s, or leave it out");
+  }
   viewer.screenshot = options.screenshot;
   viewer.record = options.record;
   viewer.folder = options.folder;

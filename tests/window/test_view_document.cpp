@@ -3,8 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <set>
 #include <string>
 #include <tuple>
@@ -78,6 +80,26 @@ TEST_SUITE("unit") {
       // The Japanese word for the other language's name is what a reader of that language looks for.
       if (text.id != TextId::kLanguageName) CHECK(english.find("日") == std::string::npos);
     }
+  }
+
+  TEST_CASE("Every text is shown somewhere") {
+    // An entry that nothing shows is a word that nobody would miss in the other language.
+    const std::filesystem::path folder = FUAI_SOURCE_DIR "/src/fuai/window";
+    std::string names, used;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      std::ifstream file(entry.path());
+      const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+      const std::string name = entry.path().filename();
+      if (name == "ui_text.h") names = text;
+      if (!name.starts_with("ui_text.")) used += text;
+    }
+    const std::regex entry("\\n  (k[A-Za-z]+),");
+    std::size_t count = 0;
+    for (std::sregex_iterator at(names.begin(), names.end(), entry), end; at != end; ++at, ++count) {
+      CAPTURE(at->str(1));
+      CHECK(std::regex_search(used, std::regex("TextId::" + at->str(1) + "\\b")));
+    }
+    CHECK(count == kTextCount);
   }
 
   TEST_CASE("No key does two things") {

@@ -178,6 +178,7 @@ class WithoutDisplay(unittest.TestCase):
                 (["nosuch", "--headless", "--seconds", "0.1s"], 3, "nosuch"),
                 (["--scene", "hanging_shet", "--headless", "--seconds", "0.1s"], 2, "hanging_sheet"),
                 (["--scene", "paper_drape", "--headless", "--seconds", "0.1s"], 2, "corner_drape"),
+                (["--headless", "--seconds", "0s"], 2, "not above zero"),
                 (["--heat-map", "colour", "--headless", "--seconds", "0.1s"], 2, "warp-curvature"),
                 (["a", "b", "c", "d", "e", "--headless", "--seconds", "0.1s"], 2, "one to 4"),
                 (["--headless", "--seconds", "0.1s", "--screenshot", "/nosuch/a.png"], 3, "/nosuch"),

@@ -208,8 +208,9 @@ void DeviceOpenHaptics::read_state(DeviceSample& sample) noexcept {
   sample.position = kMetres * from_y_up(Vec3(position[0], position[1], position[2]));
   sample.velocity = kMetres * from_y_up(Vec3(velocity[0], velocity[1], velocity[2]));
   Mat3 turn;
-  for (int j = 0; j < 3; ++j)
-    turn.col(j) = Vec3(transform[4 * j], transform[4 * j + 1], transform[4 * j + 2]);
+  for (std::size_t j = 0; j < 3; ++j)
+    turn.col(static_cast<Eigen::Index>(j)) =
+        Vec3(transform[4 * j], transform[4 * j + 1], transform[4 * j + 2]);
   sample.orientation = turn_from_y_up(turn);
   sample.buttons = static_cast<std::uint32_t>(buttons);
 }

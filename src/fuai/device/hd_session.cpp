@@ -60,7 +60,7 @@ std::shared_ptr<HdSession> HdSession::get() {
   // The vendor's driver reads its calibration with the program's locale: a decimal comma breaks the angles.
   std::setlocale(LC_NUMERIC, "C");
   VendorLibrary library(kHdLibraryVariable, kNames);
-  const auto session = std::make_shared<HdSession>();
+  auto session = std::make_shared<HdSession>();
   const std::string problem = problem_of(library, session->api_);
   if (!problem.empty())
     throw Error(ErrorKind::kNoDevice, problem, {"", 0, 0, "device"}, hd_library_cure(library));

@@ -15,7 +15,7 @@ int HandBook::grab(ViewSession& session, std::size_t cloth, const Vec2& material
     command.position = point;
     command.radius = pin ? kPinRadius : kFingertipRadius;
     if (!session.send(command)) return -1;
-    hands_[i] = {true, pin, cloth, material, point, point, session.snapshot().tick};
+    hands_[i] = {true, pin, cloth, material, point, point, session.ticks()};
     return last_ = static_cast<int>(i);
   }
   return -1;
@@ -37,7 +37,7 @@ void HandBook::release(ViewSession& session, int hand) {
   ViewCommand command;
   command.kind = ViewCommand::Kind::kRelease;
   command.hand = static_cast<std::uint8_t>(hand);
-  session.send(command);
+  if (!session.send(command)) return;
   h.active = false;
   if (last_ == hand) last_ = -1;
   for (std::size_t i = 0; i < kMostViewHands && last_ < 0; ++i)
@@ -54,7 +54,7 @@ void HandBook::follow(const ViewSnapshot& snapshot) {
     UserHand& h = hands_[i];
     bool holds = false;
     for (const ClothView& cloth : snapshot.cloths) holds = holds || cloth.hands[i].holds;
-    // A command takes a tick to be done; before that nothing is known.
+    // The round that is under way may end in a snapshot without it; the next one has done the command.
     if (h.active && !holds && (snapshot.tick > h.since + 1 || snapshot.tick < h.since)) {
       h.active = false;
       if (last_ == static_cast<int>(i)) last_ = -1;

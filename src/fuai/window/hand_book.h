@@ -18,7 +18,7 @@ struct UserHand {
   Vec2 material = Vec2::Zero();  ///< [m]
   Vec3 start = Vec3::Zero();     ///< where it gripped [m]
   Vec3 target = Vec3::Zero();    ///< where it is [m]
-  std::int64_t since = 0;        ///< tick of the newest snapshot when it gripped
+  std::int64_t since = 0;        ///< tick of the session when it gripped
 };
 
 /// A fingertip, and a pin [m].

@@ -24,6 +24,16 @@ ViewLayout lay_out(const ViewerState& state) {
   return layout;
 }
 
+bool begin_panel(const char* name, const ViewBox& box, bool scrolls) {
+  ImGui::SetNextWindowPos({box.left, box.top});
+  ImGui::SetNextWindowSize({box.width, box.height});
+  ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                           ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
+                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+  if (!scrolls) flags |= ImGuiWindowFlags_NoScrollbar;
+  return ImGui::Begin(name, nullptr, flags);
+}
+
 std::vector<ScreenTile> make_tiles(const ViewBox& box, std::size_t count) {
   const auto n = static_cast<int>(std::max<std::size_t>(count, 1));
   // As many columns as make the tiles least elongated.
@@ -42,6 +52,7 @@ std::vector<ScreenTile> make_tiles(const ViewBox& box, std::size_t count) {
   const int width = std::max(static_cast<int>(box.width) / columns, 16);
   const int height = std::max(static_cast<int>(box.height) / rows, 16);
   std::vector<ScreenTile> tiles;
+  tiles.reserve(static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i)
     tiles.push_back({static_cast<int>(box.left) + (i % columns) * width,
                      static_cast<int>(box.top) + (i / columns) * height, width, height});

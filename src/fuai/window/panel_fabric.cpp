@@ -41,16 +41,6 @@ void choose_fabric(ViewerState& state, std::size_t place) {
   if (!chosen.empty() && chosen != fabric.source) set_view_fabric(state, place, chosen);
 }
 
-/// "B warp", with the direction in the language of the window.
-std::string row_name(const ViewerState& state, const FabricNumber& number) {
-  std::string name(number.definition().symbol);
-  const auto ends = [&](const char* text) { return number.section.ends_with(text); };
-  if (ends(".warp")) name += std::string(" ") + state.text(TextId::kWarp);
-  if (ends(".weft")) name += std::string(" ") + state.text(TextId::kWeft);
-  if (ends(".bias")) name += std::string(" ") + state.text(TextId::kBias);
-  return name;
-}
-
 void number_tooltip(const ViewerState& state, const FabricNumber& number) {
   const KesQuantity& q = number.definition();
   const std::string_view name = state.settings.language == Language::kJapanese ? q.name_ja : q.name_en;
@@ -75,7 +65,7 @@ void number_row(const ViewerState& state, const FabricNumber& number) {
   std::snprintf(value, sizeof value, "%.4g", kes ? number.in_kes_units() : number.known.value);
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(row_name(state, number).c_str());
+  ImGui::TextUnformatted(number_name(state, number).c_str());
   if (ImGui::IsItemHovered()) number_tooltip(state, number);
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(value);
@@ -150,15 +140,18 @@ void fabric_page(ViewerState& state, std::size_t place) {
 
 }  // namespace
 
+std::string number_name(const ViewerState& state, const FabricNumber& number) {
+  std::string name(number.definition().symbol);
+  const auto ends = [&](const char* text) { return number.section.ends_with(text); };
+  if (ends(".warp")) name += std::string(" ") + state.text(TextId::kWarp);
+  if (ends(".weft")) name += std::string(" ") + state.text(TextId::kWeft);
+  if (ends(".bias")) name += std::string(" ") + state.text(TextId::kBias);
+  return name;
+}
+
 void draw_fabric_panel(ViewerState& state) {
   if (!state.settings.fabric_panel) return;
-  const ViewBox box = lay_out(state).fabric;
-  ImGui::SetNextWindowPos({box.left, box.top});
-  ImGui::SetNextWindowSize({box.width, box.height});
-  constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                      ImGuiWindowFlags_NoSavedSettings |
-                                      ImGuiWindowFlags_NoBringToFrontOnFocus;
-  if (ImGui::Begin("fabric", nullptr, kFixed)) {
+  if (begin_panel("fabric", lay_out(state).fabric, false)) {
     const std::size_t count = state.document.setup().fabrics.size();
     if (ImGui::BeginTabBar("fabrics")) {
       for (std::size_t i = 0; i < state.numbers.size(); ++i) {

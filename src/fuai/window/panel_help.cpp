@@ -28,14 +28,14 @@ struct Listing {
 Listing list_folder(const std::filesystem::path& folder) {
   Listing listing;
   std::error_code code;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, code)) {
+  for (std::filesystem::directory_iterator at(folder, code), end; !code && at != end; at.increment(code)) {
+    const std::filesystem::directory_entry& entry = *at;
     const std::string name = entry.path().filename().string();
     if (name.starts_with('.')) continue;
     std::error_code ignored;
     if (entry.is_directory(ignored)) listing.folders.push_back(name);
     const std::string kind = entry.path().extension().string();
-    if (kind == ".toml" || kind == ".csv" || kind == ".txt" || kind == ".json" || kind == ".fuai-view")
-      listing.files.push_back(name);
+    if (kind == ".toml" || kind == ".csv" || kind == ".txt" || kind == ".json") listing.files.push_back(name);
   }
   std::sort(listing.folders.begin(), listing.folders.end());
   std::sort(listing.files.begin(), listing.files.end());

@@ -132,13 +132,7 @@ Plot loop_plot(const ViewerState& state, std::size_t cloth, LoopKind kind) {
 
 void draw_plots_panel(ViewerState& state) {
   if (!state.settings.plots) return;
-  const ViewBox box = lay_out(state).plots;
-  ImGui::SetNextWindowPos({box.left, box.top});
-  ImGui::SetNextWindowSize({box.width, box.height});
-  constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                      ImGuiWindowFlags_NoBringToFrontOnFocus;
-  if (ImGui::Begin("plots", nullptr, kFixed)) {
+  if (begin_panel("plots", lay_out(state).plots, true)) {
     if (state.comparison) draw_comparison(state);
     if (state.hands.last() < 0 && state.forces.empty())
       ImGui::TextWrapped("%s", state.text(TextId::kGrabFirst));
@@ -183,11 +177,7 @@ void draw_comparison(ViewerState& state) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     const KesQuantity& q = number.first().definition();
-    std::string name(q.symbol);
-    if (number.first().section.ends_with(".warp")) name += std::string(" ") + state.text(TextId::kWarp);
-    if (number.first().section.ends_with(".weft")) name += std::string(" ") + state.text(TextId::kWeft);
-    if (number.first().section.ends_with(".bias")) name += std::string(" ") + state.text(TextId::kBias);
-    ImGui::TextUnformatted(name.c_str());
+    ImGui::TextUnformatted(number_name(state, number.first()).c_str());
     if (ImGui::IsItemHovered()) {
       const std::string_view unit = kes ? q.kes_unit : q.si_unit;
       ImGui::SetTooltip("%.*s", static_cast<int>(unit.size()), unit.data());

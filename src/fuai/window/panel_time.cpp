@@ -61,17 +61,20 @@ void status(ViewerState& state) {
     weight = s.cloths[0].energy.weight;
     kinetic = s.cloths[0].kinetic_energy;
   }
-  ImGui::Text("%.3f s   %s %.0f µs   %s ×%.2f   %s %.3f + %.3f + %.3f mJ   %s   %s %.0f ms", s.time,
-              state.text(TextId::kStatusStep), s.step_us, state.text(TextId::kStatusRealTime),
-              state.playing ? state.real_time_factor : 0.0, state.text(TextId::kStatusEnergy), 1e3 * internal,
-              1e3 * weight, 1e3 * kinetic, state.text(TextId::kStatusDevice),
-              state.text(TextId::kStatusFrames), state.picture_ms);
+  char pace[16] = "-";
+  if (state.real_time_factor && state.playing)
+    std::snprintf(pace, sizeof pace, "×%.2f", *state.real_time_factor);
+  ImGui::Text("%.3f s   %s %.0f µs   %s %s   %s %.3f + %.3f + %.3f mJ   %s   %s %.0f ms", s.time,
+              state.text(TextId::kStatusStep), s.step_us, state.text(TextId::kStatusRealTime), pace,
+              state.text(TextId::kStatusEnergy), 1e3 * internal, 1e3 * weight, 1e3 * kinetic,
+              state.text(TextId::kStatusDevice), state.text(TextId::kStatusFrames), state.picture_ms);
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.text(TextId::kEnergyParts));
   if (state.recording || state.filming || state.logging) {
     ImGui::SameLine();
     ImGui::TextColored({0.95F, 0.3F, 0.25F, 1.0F}, "● %s", state.text(TextId::kRecording));
   }
-  if (state.playing && state.clock > 2.0 && state.real_time_factor < kTooSlow * state.settings.speed) {
+  if (state.playing && state.clock > 2.0 && state.real_time_factor &&
+      *state.real_time_factor < kTooSlow * state.settings.speed) {
     ImGui::SameLine();
     ImGui::TextColored({0.95F, 0.6F, 0.2F, 1.0F}, "%s", state.text(TextId::kTooSlow));
   }
@@ -80,13 +83,7 @@ void status(ViewerState& state) {
 }  // namespace
 
 void draw_time_panel(ViewerState& state) {
-  const ViewBox box = lay_out(state).time;
-  ImGui::SetNextWindowPos({box.left, box.top});
-  ImGui::SetNextWindowSize({box.width, box.height});
-  constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                      ImGuiWindowFlags_NoSavedSettings |
-                                      ImGuiWindowFlags_NoBringToFrontOnFocus;
-  if (ImGui::Begin("time", nullptr, kFixed)) {
+  if (begin_panel("time", lay_out(state).time, false)) {
     controls(state);
     past(state);
     status(state);

@@ -53,7 +53,11 @@ class ViewerFiles::Video {
       pipe_ = std::make_unique<FramePipe>(path_, part.width, part.height, kFilmRate);
     } else {
       path_ = path;
-      std::filesystem::create_directories(path_);
+      std::error_code code;
+      std::filesystem::create_directories(path_, code);
+      if (code)
+        throw Error(ErrorKind::kBadInput, "cannot make the folder: " + code.message(), {path_, 0, 0, ""},
+                    "start with another --out");
     }
   }
   const std::string& path() const { return path_; }
@@ -93,7 +97,9 @@ std::string ViewerFiles::free_name(const std::string& stem, const std::string& e
     char number[16];
     std::snprintf(number, sizeof number, "-%03d", i);
     const std::string path = (std::filesystem::path(folder_) / (stem + number)).string();
-    if (!std::filesystem::exists(path + ending) && !std::filesystem::exists(path)) return path + ending;
+    std::error_code code;  // what cannot be looked at is told when it is written
+    if (!std::filesystem::exists(path + ending, code) && !std::filesystem::exists(path, code))
+      return path + ending;
   }
 }
 

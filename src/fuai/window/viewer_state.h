@@ -80,9 +80,9 @@ struct ViewerState {
   std::deque<ForceMoment> forces;  ///< the last seconds
   std::deque<Message> messages;
   ViewWishes wishes;
-  double clock = 0.0;             ///< since the start of the window [s]
-  double real_time_factor = 1.0;  ///< of the last second
-  double picture_ms = 0.0;        ///< time between pictures, smoothed
+  double clock = 0.0;                      ///< since the start of the window [s]
+  std::optional<double> real_time_factor;  ///< of the last second; none: the cloths are not paced
+  double picture_ms = 0.0;                 ///< time between pictures, smoothed
   bool recording = false, filming = false, logging = false;
   bool browsing = false;  ///< the file panel is open
   std::string browse_folder;
@@ -130,11 +130,15 @@ struct ViewLayout {
   ViewBox fabric, plots, time, view;
 };
 ViewLayout lay_out(const ViewerState& state);
+/// ImGui::Begin() of a panel that fills a box; ImGui::End() follows whatever it returns.
+bool begin_panel(const char* name, const ViewBox& box, bool scrolls);
 /// The tiles of so many cloths in a box, as square as they can be.
 std::vector<ScreenTile> make_tiles(const ViewBox& box, std::size_t count);
 
 /// Where a point of the scene is in a tile [pixel of the screen]; depth in z, negative behind the eye.
 Vec3 to_screen(const ViewerState& state, const ScreenTile& tile, const Vec3& point);
+/// "B warp", the direction in the language of the window.
+std::string number_name(const ViewerState& state, const FabricNumber& number);
 /// Newtons and gram-force, always both: "0.123 N  12.5 gf".
 std::string force_text(double newtons);
 
