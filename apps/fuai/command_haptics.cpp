@@ -183,7 +183,12 @@ double force_gain_of(const RunOptions& options) {
 
 HoldBy hold_of(const RunOptions& options) {
   if (options.hold == "always") return HoldBy::kAlways;
-  const bool scene = options.hold.empty() ? is_simulated(options.device) : options.hold == "scene";
+  const bool simulated = is_simulated(options.device);
+  if (options.hold == "button" && simulated) {
+    throw Error(ErrorKind::kUsage, "--hold: a simulated device has no button", {},
+                "take --hold scene or --hold always");
+  }
+  const bool scene = options.hold.empty() ? simulated : options.hold == "scene";
   return scene ? HoldBy::kScene : HoldBy::kButton;
 }
 

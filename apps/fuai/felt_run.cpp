@@ -113,7 +113,7 @@ void run_virtual(const Console& console, const EngineScene& scene, const FeltPla
   VirtualSession session(hands.views, cloth, {period, period, 0, &keeper});
   Holds holds(plan.hold, scene);
   const Progress progress = console.progress();
-  DeviceSample last;
+  const DeviceSample last;  // a simulated device has no buttons
   for (std::int64_t i = 0; i < plan.ticks; ++i) {
     for (std::size_t hand = 0; hand < hands.paths.size(); ++hand)
       hands.paths[hand]->hold(holds.holds(hand, static_cast<double>(i + 1) * kTick, last));
@@ -193,7 +193,8 @@ FeltResult run_felt(const Console& console, const EngineScene& scene, const Felt
   result.failed_steps = cloth->failed_steps();
   result.state_hash = cloth->simulation().read().state_hash;
   result.records = std::move(keeper.records);
-  if (!plan.reference || result.hands > 1) return result;
+  // A hand that takes the cloth where it is has no reference: that one grips the scene's patch.
+  if (!plan.reference || result.hands > 1 || plan.setup.reach > 0.0) return result;
   const std::vector<Vec3> reference = converged_forces(
       {&scene.model, &scene.material, scene.options.implicit, &scene.start, make_grasp(scene, plan.setup, 0)},
       result.records, console.progress());

@@ -3,9 +3,7 @@
 #include "scene_recording.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 
 #include "fuai/core/error.h"
 
@@ -20,12 +18,6 @@ std::size_t hands_of(const EngineScene& scene) { return std::max<std::size_t>(1,
 
 HandMoment moment_of(const TickRecord& record) {
   return {record.holds, record.sample.position, record.sample.orientation};
-}
-
-bool same_bits(const Vec3& a, const Vec3& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), [](double p, double q) {
-    return std::bit_cast<std::uint64_t>(p) == std::bit_cast<std::uint64_t>(q);
-  });
 }
 
 [[noreturn]] void refuse(const std::string& what) {

@@ -137,8 +137,9 @@ class Safety(Case):
 
     def wait_for(self, process, size):
         """Until the recording has that size."""
-        path = self.folder / "a.fuailog"
+        path, end = self.folder / "a.fuailog", time.monotonic() + 120
         while process.poll() is None and not (path.exists() and path.stat().st_size >= size):
+            self.assertLess(time.monotonic(), end, "the recording does not grow")
             time.sleep(0.01)
         return path
 
@@ -175,12 +176,11 @@ class Safety(Case):
             self.assertTrue(replayed["matches"])
             self.assertFalse(replayed["complete"])
             self.assertGreater(replayed["ticks"], 0)
-            if not pause:  # 54 ticks in 16 KiB, less what steps take
-                self.assertGreater(replayed["ticks"], 400)
-                self.assertGreater(replayed["checkpoints"], 0)
+            self.assertEqual(replayed["checkpoints"], replayed["cloth_steps"] // 250)
 
     def test_wrong_words_are_refused_with_a_cure(self):
         for words, message in [
+            ([*RUN, "--hold", "button"], "take --hold scene"),
             ([*RUN, "--device", "phantom"], "take one of simulated"),
             ([*RUN, "--device", "simulated:glove"], "take one of premium, touch"),
             ([*RUN, "--device", "vrpn"], "virtual time is for the simulated device"),

@@ -153,6 +153,21 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("safety") {
+  TEST_CASE("openhaptics: a device that is lost does not take the other along") {
+    Bench bench;
+    bench.fake->count = 2;
+    bench.fake->devices[1].name = "left";
+    const auto right = bench.open("Default Device"), left = bench.open("left");
+    const Vec3 pull(0.5, 0.0, 0.0);
+    bench.fake->devices[0].plugged = false;
+    for (int i = 0; i < 3; ++i) {
+      left->write({pull});
+      CHECK(bench.step(*right, pull).status == kDeviceDisconnected);
+      CHECK(left->read().status == kDeviceReady);
+    }
+    CHECK(bench.force(1) == pull);
+  }
+
   TEST_CASE("openhaptics: what cannot be opened says so in the vendor's words") {
     Bench bench;
     const auto problem = [&](const std::string& name) -> std::string {
@@ -298,7 +313,7 @@ TEST_SUITE("realtime") {
   TEST_CASE("openhaptics: nothing is torn between the vendor's thread and ours") {
     Bench bench;
     FakeHdDevice& device = bench.fake->devices[0];
-    const auto touch = std::make_unique<DeviceOpenHaptics>("", steady_seconds);
+    const auto touch = bench.open();  // its clock stands: nothing is stale, however seldom a thread runs
     constexpr int kTicks = 20000;
     std::atomic<bool> done = false;
     int torn_forces = 0;
@@ -320,6 +335,8 @@ TEST_SUITE("realtime") {
     vendor.join();
     CHECK(torn_forces == 0);
     CHECK(torn_samples == 0);
+    // The last tick's place has come: 20000 % 64 = 32 mm; rounding of one product.
+    CHECK(touch->read().position.x() == doctest::Approx(0.032).epsilon(1e-15));
   }
 
   TEST_CASE("openhaptics: both loops allocate nothing, also when a device is lost and found") {

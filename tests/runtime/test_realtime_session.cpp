@@ -189,13 +189,18 @@ TEST_SUITE("safety") {
      private:
       std::uint64_t number_ = 0;
     } mute;
-    Trial trial;
-    Keeper keeper(2000);
-    const SessionHand hand{&trial.device, &trial.path};
-    RealtimeSession session({&hand, 1}, mute, options_of(2000), nullptr, &keeper);
-    session.run(trial.force_clock, trial.cloth_clock, Trial::never());
-    for (const TickRecord& record : keeper.ticks) CHECK(record.tick.force == Vec3::Zero());
-    CHECK(keeper.ticks.size() == 2000);
+    std::size_t answers = 0;  // a busy machine may give the cloth's thread no turn in a run
+    for (int run = 0; run < 200 && answers == 0; ++run) {
+      Trial trial;
+      Keeper keeper(2000);
+      const SessionHand hand{&trial.device, &trial.path};
+      RealtimeSession session({&hand, 1}, mute, options_of(2000), nullptr, &keeper);
+      session.run(trial.force_clock, trial.cloth_clock, Trial::never());
+      for (const TickRecord& record : keeper.ticks) CHECK(record.tick.force == Vec3::Zero());
+      CHECK(keeper.ticks.size() == 2000);
+      answers += trial.path.counters().models;
+    }
+    CHECK(answers > 0);
   }
 }
 

@@ -64,6 +64,16 @@ struct DeviceCommand {
   Vec3 force = Vec3::Zero();  ///< on the hand [N]
 };
 
+/// What a device gives of a command: nothing of one that is not finite, no more than `peak` [N].
+/// @param cut whether it was larger. Thread class: real-time.
+inline Vec3 force_within(const DeviceCommand& command, double peak, bool& cut) noexcept {
+  cut = false;
+  if (!command.force.allFinite()) return Vec3::Zero();
+  const double size = command.force.norm();
+  cut = size > peak;
+  return cut ? Vec3(command.force * (peak / size)) : command.force;
+}
+
 /// A device. One thread calls read() and write().
 class Device {
  public:

@@ -208,8 +208,7 @@ DeviceForceDimension::DeviceForceDimension(const std::string& model, DeviceClock
       seen += (seen.empty() ? "" : "; ") + ("device " + std::to_string(i) + " is of type " +
                                             std::string(type.model) + " (" + std::to_string(type_) + ")");
     }
-    api_.close(id_);
-    open_ = false;
+    close();
   }
   throw Error(ErrorKind::kNoDevice,
               "no Force Dimension device could be opened: " + (seen.empty() ? vendor_text(api_) : seen),
@@ -230,16 +229,17 @@ bool DeviceForceDimension::open_index(int index) noexcept {
   if (id < 0) return false;
   id_ = static_cast<char>(id);
   index_ = index;
+  open_ = true;
   return true;
 }
 
 /// Forces on, at zero.
 bool DeviceForceDimension::start() noexcept {
   if (api_.set_gravity_compensation != nullptr) api_.set_gravity_compensation(1, id_);  // not all have it
-  open_ = api_.set_force(0.0, 0.0, 0.0, id_) >= 0 && api_.enable_force(1, id_) >= 0;
   saturated_ = false;
   reads_ = 0;
-  if (open_) look_at_status();
+  if (api_.set_force(0.0, 0.0, 0.0, id_) < 0 || api_.enable_force(1, id_) < 0) return false;
+  look_at_status();
   return open_;
 }
 
@@ -247,16 +247,20 @@ bool DeviceForceDimension::open_again() noexcept {
   if (api_.get_device_count() <= index_ || !open_index(index_)) return false;
   // Another device in its place would get forces that were not made for it.
   if (api_.get_system_type(id_) == type_ && start()) return true;
-  api_.close(id_);
-  open_ = false;
+  close();
   return false;
+}
+
+/// Once: its number may be another device's afterwards.
+void DeviceForceDimension::close() noexcept {
+  if (open_) api_.close(id_);
+  open_ = false;
 }
 
 void DeviceForceDimension::lose() noexcept {
   api_.set_force(0.0, 0.0, 0.0, id_);
   api_.enable_force(0, id_);
-  api_.close(id_);
-  open_ = false;
+  close();
   retry_.wait(clock_(), kPause);
 }
 
@@ -283,6 +287,10 @@ bool DeviceForceDimension::read_pose() noexcept {
     double frame[3][3] = {};
     if (api_.get_orientation_frame(frame, id_) < 0) return false;
     for (int j = 0; j < 3; ++j) last_.orientation.col(j) = from_device(frame[0][j], frame[1][j], frame[2][j]);
+    if (!last_.orientation.allFinite()) {
+      last_.orientation.setIdentity();
+      return false;
+    }
     // The same turn on the right: an untwisted hand has the identity.
     const Mat3 turned = last_.orientation;
     last_.orientation.col(0) = turned.col(1);
@@ -290,7 +298,7 @@ bool DeviceForceDimension::read_pose() noexcept {
   }
   if (has_gripper_) {
     double gap = 0.0;
-    if (api_.get_gripper_gap(&gap, id_) < 0) return false;
+    if (api_.get_gripper_gap(&gap, id_) < 0 || !std::isfinite(gap)) return false;
     last_.pinch = std::clamp(1.0 - gap / kOpenGap, 0.0, 1.0);
   }
   last_.buttons = api_.get_button_mask(id_);
@@ -310,10 +318,7 @@ DeviceSample DeviceForceDimension::read() noexcept {
 
 void DeviceForceDimension::write(const DeviceCommand& command) noexcept {
   if (!open_) return;
-  Vec3 force = command.force.allFinite() ? command.force : Vec3::Zero();
-  const double size = force.norm();
-  saturated_ = size > info_.peak_force;
-  if (saturated_) force *= info_.peak_force / size;
+  const Vec3 force = force_within(command, info_.peak_force, saturated_);
   // To the device's: x towards the user is minus our y.
   const int done = api_.set_force(-force.y(), force.x(), force.z(), id_);
   if (done < 0) lose();

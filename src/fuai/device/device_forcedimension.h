@@ -38,6 +38,7 @@ class DeviceForceDimension final : public Device {
   bool open_index(int index) noexcept;
   bool start() noexcept;
   bool open_again() noexcept;
+  void close() noexcept;
   void lose() noexcept;
   void look_at_status() noexcept;
   bool read_pose() noexcept;

@@ -86,15 +86,7 @@ DeviceSample DeviceGamepad::read() noexcept {
     retry_.wait(now, kAgain);
   }
   if (descriptor_ < 0) reader_.restart();  // nothing is pushed any more
-  hand_.update(reader_.state().deflection, now);
-  DeviceSample sample;
-  sample.time = now;
-  sample.position = hand_.position();
-  sample.velocity = hand_.velocity();
-  sample.buttons = reader_.state().buttons;
-  sample.pinch = reader_.state().pinch;
-  sample.status = descriptor_ >= 0 ? kDeviceReady : kDeviceDisconnected;
-  return sample;
+  return hand_.sample(reader_.state(), now, descriptor_ >= 0);
 }
 
 DeviceDriver gamepad_driver() {

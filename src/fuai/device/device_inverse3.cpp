@@ -46,12 +46,6 @@ DeviceInfo make_info(const Inverse3State& state, const StreamAddress& address) {
   return info;
 }
 
-std::string no_answer(const StreamSocket& socket, const StreamAddress& address) {
-  return "no Inverse Service answers at " + address.text + ": " +
-         (socket.error() != 0 ? std::strerror(socket.error())
-                              : (socket.open() ? "nothing heard in time" : "it closed the connection"));
-}
-
 /// What an HTTP server at this address says is its version.
 DriverFinding ask_version(const std::string& host, const std::string& port) {
   const std::string what = "GET /version at " + host + ":" + port;
@@ -106,13 +100,7 @@ DriverReport probe() {
 
 Inverse3Options parse_inverse3_name(const std::string& text) {
   Inverse3Options options;
-  const auto split = [&](std::string_view address, const char* where) {
-    if (!split_address(address, options.host, options.port))
-      throw Error(ErrorKind::kUsage, std::string(where) + ": '" + std::string(address) + "' is no address",
-                  {"", 0, 0, "device"}, "write host:port or ID@host:port");
-  };
-  if (const char* const variable = std::getenv(kInverse3AddressVariable))
-    split(variable, kInverse3AddressVariable);
+  take_address_variable(kInverse3AddressVariable, options.host, options.port);
   const std::size_t at = text.find('@');
   if (at != std::string::npos) {
     options.id = text.substr(0, at);
@@ -121,7 +109,8 @@ Inverse3Options parse_inverse3_name(const std::string& text) {
       throw Error(ErrorKind::kUsage, "'" + options.id + "' cannot be the id of an Inverse3",
                   {"", 0, 0, "device"}, "take the id that `fuai haptics devices --diagnose` shows");
   }
-  split(std::string_view(text).substr(at == std::string::npos ? 0 : at + 1), "inverse3");
+  take_address(std::string_view(text).substr(at == std::string::npos ? 0 : at + 1), "inverse3", options.host,
+               options.port);
   return options;
 }
 
@@ -137,7 +126,7 @@ DeviceInverse3::DeviceInverse3(const Inverse3Options& options)
   const double end = options_.clock() + options_.patience;
   while (counted_ == 0 && !bad_ && options_.clock() < end) {
     listen(options_.clock());
-    if (socket_.error() != 0) break;  // no second attempt here: somebody waits for an answer
+    if (!socket_.open()) break;  // no second attempt here: somebody waits for an answer
     if (options_.idle)
       options_.idle();
     else
@@ -154,13 +143,14 @@ std::string DeviceInverse3::problem() const {
   const std::string line(reader_.first_line());
   if (bad_ && !line.empty() && messages_ == 0)
     return "what answers at " + address_.text + " is no Inverse Service, it says: " + line;
-  return no_answer(socket_, address_);
+  return no_answer("Inverse Service", socket_, address_);
 }
 
 DeviceInverse3::~DeviceInverse3() {
   if (!open_ || !socket_.connected()) return;
   socket_.drain(kLastWords);
-  send(WebSocketOpcode::kText, write_inverse3_force(text_, state_.id.text(), Vec3::Zero()));
+  // A device that was only asked may be in another program's hand.
+  if (forced_) send(WebSocketOpcode::kText, write_inverse3_force(text_, state_.id.text(), Vec3::Zero()));
   send(WebSocketOpcode::kClose, std::string_view("\x03\xe8", 2));  // 1000: done
   socket_.drain(kLastWords);
 }
@@ -283,12 +273,9 @@ void DeviceInverse3::write(const DeviceCommand& command) noexcept {
   if (!open_ || counted_ == 0 || unanswered_ >= kMostUnanswered || !socket_.advance() || !socket_.drained())
     return;
   Vec3 force = Vec3::Zero();
-  if (trusted(now) && command.force.allFinite() && (status() & ~std::uint32_t{kDeviceSaturated}) == 0) {
-    const double size = command.force.norm();
-    saturated_ = size > info_.peak_force;
-    force = saturated_ ? Vec3(command.force * (info_.peak_force / size)) : command.force;
-  }
-  send_counted(write_inverse3_force(text_, state_.id.text(), force), now);
+  saturated_ = false;
+  if (trusted(now) && status() == kDeviceReady) force = force_within(command, info_.peak_force, saturated_);
+  forced_ = send_counted(write_inverse3_force(text_, state_.id.text(), force), now) || forced_;
 }
 
 DeviceDriver inverse3_driver() {

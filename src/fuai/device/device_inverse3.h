@@ -72,7 +72,7 @@ class DeviceInverse3 final : public Device {
   Inverse3State state_;
   DeviceInfo info_;
   RetryTimer retry_, ask_;
-  bool asked_ = false, open_ = false, saturated_ = false, bad_ = false;
+  bool asked_ = false, open_ = false, saturated_ = false, forced_ = false, bad_ = false;
   int unanswered_ = 0, messages_ = 0;
   std::uint32_t mask_ = 1, counted_ = 0;
   double heard_ = 0.0, stated_ = 0.0, sent_ = 0.0;  // [s]

@@ -188,7 +188,7 @@ void DeviceOpenHaptics::stop() noexcept {
   api.end_frame(handle_);
   api.disable_device(handle_);
   handle_ = kHdInvalidHandle;
-  for (int i = 0; i < kMostErrors && api.get_error().error_code != kHdSuccess; ++i) continue;
+  session_->forget_errors();
   running_ = false;
   session_->resume(-1);
 }
@@ -222,11 +222,11 @@ Vec3 DeviceOpenHaptics::wanted_force(double now, DeviceSample& sample) noexcept 
     if (given.time >= started_) sample.status |= kDeviceTimedOut;
     return Vec3::Zero();
   }
-  if (silent_ticks_ > 0 || !calibrated_ || !given.command.force.allFinite()) return Vec3::Zero();
-  const double size = given.command.force.norm();
-  if (size <= info_.peak_force) return given.command.force;
-  sample.status |= kDeviceSaturated;
-  return given.command.force * (info_.peak_force / size);
+  if (silent_ticks_ > 0 || !calibrated_) return Vec3::Zero();
+  bool cut = false;
+  const Vec3 force = force_within(given.command, info_.peak_force, cut);
+  if (cut) sample.status |= kDeviceSaturated;
+  return force;
 }
 
 /// @return whether the device is still there
@@ -277,6 +277,7 @@ unsigned DeviceOpenHaptics::tick() noexcept {
   api.begin_frame(handle_);
   api.set_doublev(kHdCurrentForce, kNone);
   api.end_frame(handle_);
+  session_->forget_errors();  // the next device's tick must not take them for its own
   samples_.put(sample);
   return kHdCallbackDone;
 }
@@ -292,7 +293,7 @@ void DeviceOpenHaptics::open_again() noexcept {
   }
   if (handle_ != kHdInvalidHandle) api.disable_device(handle_);
   handle_ = kHdInvalidHandle;
-  for (int i = 0; i < kMostErrors && api.get_error().error_code != kHdSuccess; ++i) continue;
+  session_->forget_errors();
   session_->resume(0);
 }
 

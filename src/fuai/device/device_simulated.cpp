@@ -59,9 +59,7 @@ DeviceSample SimulatedDevice::read() noexcept {
 void SimulatedDevice::write(const DeviceCommand& command) noexcept {
   if (!connected_) return;
   last_command_ = time_;
-  Vec3 force = command.force.allFinite() ? command.force : Vec3(Vec3::Zero());
-  saturated_ = force.norm() > spec_.info.peak_force;
-  if (saturated_) force *= spec_.info.peak_force / force.norm();
+  const Vec3 force = force_within(command, spec_.info.peak_force, saturated_);
   if (spec_.delay <= 0.0) {
     commanded_ = force;
     return;

@@ -71,14 +71,7 @@ DeviceSample DeviceSpacenav::read() noexcept {
     if (!reader_.take({bytes.data(), got})) socket_.close();
   }
   if (!socket_.connected()) reader_.restart();  // nothing is pushed any more
-  hand_.update(reader_.state().deflection, now);
-  DeviceSample sample;
-  sample.time = now;
-  sample.position = hand_.position();
-  sample.velocity = hand_.velocity();
-  sample.buttons = reader_.state().buttons;
-  sample.status = socket_.connected() ? kDeviceReady : kDeviceDisconnected;
-  return sample;
+  return hand_.sample(reader_.state(), now, socket_.connected());
 }
 
 DeviceDriver spacenav_driver() {

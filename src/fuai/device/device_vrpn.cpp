@@ -56,12 +56,6 @@ DeviceInfo make_info(const VrpnOptions& options, const StreamAddress& address, b
   return info;
 }
 
-std::string no_answer(const StreamSocket& socket, const StreamAddress& address) {
-  return "no VRPN server answers at " + address.text + ": " +
-         (socket.error() != 0 ? std::strerror(socket.error())
-                              : (socket.open() ? "nothing heard in time" : "it closed the connection"));
-}
-
 constexpr const char* kServerCure =
     "start vrpn_server on the device's computer and name it as vrpn:NAME@host:port, see docs/devices.md";
 
@@ -103,7 +97,7 @@ DriverReport probe() {
   }
   report.why_not = client.wrong_version()
                        ? "what answers at " + address.text + " is no VRPN server of version 07"
-                       : no_answer(socket, address);
+                       : no_answer("VRPN server", socket, address);
   report.cure = kServerCure;
   report.findings.push_back({"VRPN server at " + address.text, report.why_not, false});
   return report;
@@ -113,12 +107,7 @@ DriverReport probe() {
 
 VrpnOptions parse_vrpn_name(const std::string& text) {
   VrpnOptions options;
-  const auto split = [&](std::string_view address, const char* where) {
-    if (!split_address(address, options.host, options.port))
-      throw Error(ErrorKind::kUsage, std::string(where) + ": '" + std::string(address) + "' is no address",
-                  {"", 0, 0, "device"}, "write host or host:port");
-  };
-  if (const char* const variable = std::getenv(kVrpnAddressVariable)) split(variable, kVrpnAddressVariable);
+  take_address_variable(kVrpnAddressVariable, options.host, options.port);
   const std::size_t at = text.find('@');
   if (at != 0 && !text.empty()) options.name = text.substr(0, at);
   if (at == std::string::npos) return options;
@@ -126,7 +115,7 @@ VrpnOptions parse_vrpn_name(const std::string& text) {
   constexpr std::string_view kTcp = "tcp:", kSlashes = "//";  // as VRPN's own programs take them
   if (address.starts_with(kTcp)) address.remove_prefix(kTcp.size());
   if (address.starts_with(kSlashes)) address.remove_prefix(kSlashes.size());
-  split(address, "vrpn");
+  take_address(address, "vrpn", options.host, options.port);
   return options;
 }
 
@@ -138,7 +127,7 @@ DeviceVrpn::DeviceVrpn(const VrpnOptions& options)
   // Types are described before the first position, so that one tells whether there is force.
   while (!client_.state().poses && !refused_ && options_.clock() < end) {
     listen(options_.clock());
-    if (socket_.error() != 0) break;  // no second attempt here: somebody waits for an answer
+    if (!socket_.open()) break;  // no second attempt here: somebody waits for an answer
     if (options_.idle)
       options_.idle();
     else
@@ -152,7 +141,7 @@ DeviceVrpn::DeviceVrpn(const VrpnOptions& options)
 
 std::string DeviceVrpn::problem() const {
   if (client_.wrong_version()) return "what answers at " + address_.text + " is no VRPN server of version 07";
-  if (!greeted_ || client_.state().message_count == 0) return no_answer(socket_, address_);
+  if (!greeted_ || client_.state().message_count == 0) return no_answer("VRPN server", socket_, address_);
   if (client_.state().knows_device) return "the VRPN server sends no position of '" + options_.name + "'";
   std::string names;
   for (const std::string& name : client_.names()) names += (names.empty() ? "" : ", ") + name;
@@ -243,11 +232,10 @@ void DeviceVrpn::write(const DeviceCommand& command) noexcept {
   // Behind one that has not left yet this would only be late; the next one is a millisecond away.
   if (!socket_.advance() || !socket_.drained()) return;
   VrpnForceField field;
-  if (trusted(options_.clock()) && command.force.allFinite()) {
-    const double size = command.force.norm();
-    saturated_ = size > info_.peak_force;
+  saturated_ = false;
+  if (trusted(options_.clock())) {
     field.origin = client_.state().position;
-    field.force = to_y_up(saturated_ ? Vec3(command.force * (info_.peak_force / size)) : command.force);
+    field.force = to_y_up(force_within(command, info_.peak_force, saturated_));
     field.radius = kRadius;
   }
   socket_.send(client_.force_field(field));

@@ -81,6 +81,10 @@ void HdSession::resume(int change) noexcept {
   running_ = true;
 }
 
+void HdSession::forget_errors() const noexcept {
+  for (int i = 0; i < kMostErrors && api_.get_error().error_code != kHdSuccess; ++i) continue;
+}
+
 std::string HdSession::take_error() const {
   std::string text;
   for (int i = 0; i < kMostErrors; ++i) {

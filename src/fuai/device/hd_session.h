@@ -28,6 +28,8 @@ class HdSession {
   /// The first error that is waiting, in the vendor's words with its number, empty when there is none;
   /// forgets the others. Thread class: set-up.
   std::string take_error() const;
+  /// Forgets all errors that are waiting: the queue is shared by all devices. Thread class: real-time.
+  void forget_errors() const noexcept;
 
  private:
   HdApi api_;

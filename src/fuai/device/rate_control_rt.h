@@ -8,6 +8,7 @@
 
 #include "fuai/core/types.h"
 #include "fuai/device/device.h"
+#include "fuai/device/input_events_rt.h"
 
 namespace fuai {
 
@@ -33,6 +34,18 @@ class RateControl {
       position_[i] = std::clamp(place, -kReach, kReach);
       if (position_[i] != place) velocity_[i] = 0.0;
     }
+  }
+  /// update(), and what a device of this kind reads. Thread class: real-time.
+  DeviceSample sample(const InputState& state, double now, bool connected) noexcept {
+    update(state.deflection, now);
+    DeviceSample sample;
+    sample.time = now;
+    sample.position = position_;
+    sample.velocity = velocity_;
+    sample.buttons = state.buttons;
+    sample.pinch = state.pinch;
+    sample.status = connected ? kDeviceReady : kDeviceDisconnected;
+    return sample;
   }
   const Vec3& position() const noexcept { return position_; }  ///< [m]
   const Vec3& velocity() const noexcept { return velocity_; }  ///< [m/s]

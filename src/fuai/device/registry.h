@@ -40,7 +40,8 @@ struct DeviceDriver {
   std::string_view name;
   std::string_view description;  ///< one line
   bool force = false;            ///< it can give force; else input only
-  /// Looks; opens nothing, never throws for what it finds. Thread class: set-up.
+  /// Looks, and asks servers; gives no force, leaves nothing open, never throws for what it finds. Thread
+  /// class: set-up.
   DriverReport (*probe)();
   /// @throws Error (kNoDevice) with the reason, the vendor's own text where there is one, and a cure;
   /// (kUsage) for a model that does not exist. Thread class: set-up.

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <cstdlib>
 #include <cstring>
 
 #include "fuai/core/error.h"
@@ -22,8 +23,7 @@ namespace {
 
 constexpr int kSendBuffer = 8192;  ///< of the system [bytes], which doubles it
 
-}  // namespace
-
+/// @return whether it can be read; a port is 1 to 65535
 bool split_address(std::string_view text, std::string& host, std::string& port) {
   std::string_view name = text, number;
   if (!text.empty() && text.front() == '[') {  // IPv6
@@ -48,6 +48,24 @@ bool split_address(std::string_view text, std::string& host, std::string& port) 
   }
   if (!name.empty()) host = name;
   return true;
+}
+
+}  // namespace
+
+void take_address(std::string_view text, const char* where, std::string& host, std::string& port) {
+  if (!split_address(text, host, port))
+    throw Error(ErrorKind::kUsage, std::string(where) + ": '" + std::string(text) + "' is no address",
+                {"", 0, 0, "device"}, "write host or host:port, the port from 1 to 65535");
+}
+
+void take_address_variable(const char* variable, std::string& host, std::string& port) {
+  if (const char* const text = std::getenv(variable)) take_address(text, variable, host, port);
+}
+
+std::string no_answer(const char* who, const StreamSocket& socket, const StreamAddress& address) {
+  return std::string("no ") + who + " answers at " + address.text + ": " +
+         (socket.error() != 0 ? std::strerror(socket.error())
+                              : (socket.open() ? "nothing heard in time" : "it closed the connection"));
 }
 
 StreamAddress resolve_tcp(const std::string& host, const std::string& port) {
@@ -94,6 +112,12 @@ void StreamSocket::fail(int error) noexcept {
 }
 
 void StreamSocket::close() noexcept {
+  if (connected_) {  // unread bytes would make the system throw away what it has not sent yet
+    constexpr int kMostReads = 16;
+    std::array<std::uint8_t, 4096> rest;
+    for (int i = 0; i<kMostReads&& ::recv(descriptor_, rest.data(), rest.size(), MSG_DONTWAIT)> 0; ++i)
+      continue;
+  }
   if (descriptor_ >= 0) ::close(descriptor_);
   descriptor_ = -1;
   connected_ = false;
@@ -181,7 +205,8 @@ void StreamSocket::wait(double seconds) const noexcept {
 void StreamSocket::drain(double seconds) noexcept {
   flush();
   if (!connected_ || queued_ == 0) return;
-  wait(seconds);
+  pollfd look{descriptor_, POLLOUT, 0};  // not wait(): a server that talks would end it at once
+  ::poll(&look, 1, static_cast<int>(1e3 * seconds));
   flush();
 }
 

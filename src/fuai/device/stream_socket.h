@@ -25,9 +25,11 @@ struct StreamAddress {
   std::string text;  ///< for people: "host:port" or a path
 };
 
-/// Splits "host", "host:port", ":port" or "[v6]:port". @param host @param port defaults, replaced by what is
-/// given @return whether it can be read; a port is 1 to 65535. Thread class: set-up.
-bool split_address(std::string_view text, std::string& host, std::string& port);
+/// Takes "host", "host:port", ":port" or "[v6]:port" into `host` and `port`, which hold the defaults.
+/// @param where names it in the message @throws Error (kUsage). Thread class: set-up.
+void take_address(std::string_view text, const char* where, std::string& host, std::string& port);
+/// The same of a variable of the environment, where it is set. Thread class: set-up.
+void take_address_variable(const char* variable, std::string& host, std::string& port);
 /// Looks the name up, IPv4 first. @throws Error (kNoDevice) with the system's words. Thread class: set-up.
 StreamAddress resolve_tcp(const std::string& host, const std::string& port);
 /// @throws Error (kUsage) for a path that is too long for a socket. Thread class: set-up.
@@ -77,5 +79,8 @@ class StreamSocket {
   std::size_t queued_ = 0;
   std::array<std::uint8_t, 8192> queue_{};
 };
+
+/// "no VRPN server answers at host:port: why". Thread class: set-up.
+std::string no_answer(const char* who, const StreamSocket& socket, const StreamAddress& address);
 
 }  // namespace fuai

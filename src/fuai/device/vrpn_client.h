@@ -51,7 +51,7 @@ class VrpnClient {
 
   /// Collects the names of all senders too, at most 64: for messages to people. Thread class: set-up.
   void collect_names() { names_.reserve(kMostNames); }
-  void stop_collecting() noexcept { names_ = {}; }
+  void stop_collecting() noexcept { std::vector<std::string>().swap(names_); }  // `= {}` keeps its room
   const std::vector<std::string>& names() const noexcept { return names_; }
 
  private:

@@ -3,8 +3,6 @@
 #include "fuai/haptics/session_replay.h"
 
 #include <array>
-#include <bit>
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,14 +14,11 @@ namespace {
 /// Models that may be on their way at once: a cloth is seldom two steps ahead of a tick; far more are kept.
 constexpr std::size_t kKept = 64;
 
-bool same_bits(double a, double b) noexcept {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
+constexpr const char* kCure = "record the session again";
 
 bool same_bits(const ForceTick& a, const ForceTick& b) noexcept {
-  for (int i = 0; i < 3; ++i)
-    if (!same_bits(a.force[i], b.force[i]) || !same_bits(a.model_force[i], b.model_force[i])) return false;
-  return same_bits(a.energy, b.energy) && same_bits(a.gain, b.gain) && a.model == b.model &&
+  return fuai::same_bits(a.force, b.force) && fuai::same_bits(a.model_force, b.model_force) &&
+         fuai::same_bits(a.energy, b.energy) && fuai::same_bits(a.gain, b.gain) && a.model == b.model &&
          a.status == b.status;
 }
 
@@ -39,7 +34,7 @@ class Replay {
     for (std::size_t i = 0; i < paths_.size(); ++i) {
       const TickRecord& record = records[i];
       if (record.hand != i || record.number != records[0].number)
-        throw Error(ErrorKind::kBadInput, "the recording's ticks and hands do not fit");
+        throw Error(ErrorKind::kBadInput, "the recording's ticks and hands do not fit", {}, kCure);
       paths_[i]->hold(record.holds);
       paths_[i]->open_clutch((record.tick.status & kForceClutched) != 0);
       poses_[i] = paths_[i]->follow(record.sample, record.dt);
@@ -68,7 +63,7 @@ class Replay {
     for (; next_ < steps_.size() && steps_[next_].tick <= tick; ++next_) {
       const ClothStepRecord& step = steps_[next_];
       if (step.tick != tick || step.number != next_ + 1)
-        throw Error(ErrorKind::kBadInput, "the recording's steps of the cloth have a gap");
+        throw Error(ErrorKind::kBadInput, "the recording's steps of the cloth have a gap", {}, kCure);
       Models& kept = kept_[step.number % kKept];
       kept.number = step.number;
       environment_.update_all({poses_.data(), paths_.size()}, step.dt, step.next,
@@ -83,9 +78,10 @@ class Replay {
     if (record.arrived == paths_[hand]->arrived()) return;
     const Models& kept = kept_[record.arrived % kKept];
     if (kept.number != record.arrived) {
-      throw Error(ErrorKind::kBadInput, "tick " + std::to_string(record.number) + " felt step " +
-                                            std::to_string(record.arrived) +
-                                            " of the cloth, which the recording does not have");
+      throw Error(ErrorKind::kBadInput,
+                  "tick " + std::to_string(record.number) + " felt step " + std::to_string(record.arrived) +
+                      " of the cloth, which the recording does not have",
+                  {}, kCure);
     }
     paths_[hand]->models().put(kept.models[hand]);
   }

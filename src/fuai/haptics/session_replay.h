@@ -4,6 +4,7 @@
 // Source: docs/theory/force-path.md, "Recording".
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <span>
 
@@ -12,6 +13,14 @@
 #include "fuai/haptics/session_record.h"
 
 namespace fuai {
+
+/// Equal to the last bit, not-a-numbers included. Thread class: any.
+inline bool same_bits(double a, double b) noexcept {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+inline bool same_bits(const Vec3& a, const Vec3& b) noexcept {
+  return same_bits(a.x(), b.x()) && same_bits(a.y(), b.y()) && same_bits(a.z(), b.z());
+}
 
 /// What a replay found.
 struct ReplayResult {

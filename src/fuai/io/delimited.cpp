@@ -223,7 +223,7 @@ std::string csv_row(const std::vector<std::string>& cells) {
   std::string row;
   for (const std::string& text : cells) {
     if (&text != cells.data()) row += ',';
-    if (text.find_first_of(",\"\n") == std::string::npos) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) {
       row += text;
       continue;
     }

@@ -57,8 +57,10 @@ struct Buffer {
 
 void check(const SurfaceMesh& mesh) {
   const bool finite = std::ranges::all_of(mesh.positions, [](const Vec3& x) { return x.allFinite(); });
-  if (mesh.triangles.empty() || mesh.material.size() != mesh.positions.size() || !finite)
-    throw Error(ErrorKind::kUsage, "this mesh cannot be written as glTF");
+  if (mesh.positions.empty() || mesh.triangles.empty() || mesh.material.size() != mesh.positions.size() ||
+      !finite)
+    throw Error(ErrorKind::kUsage, "this mesh cannot be written as glTF", {},
+                "it needs triangles, finite positions and a material point for each");
 }
 
 /// Bounds as the file has them: of the single-precision numbers.

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -45,7 +46,8 @@ FramePipe::FramePipe(const std::string& path, int width, int height, int frames_
 
   int ends[2] = {-1, -1};
   if (pipe2(ends, O_CLOEXEC) != 0)
-    throw Error(ErrorKind::kBadInput, std::string("no pipe to ffmpeg: ") + std::strerror(errno));
+    throw Error(ErrorKind::kBadInput, std::string("no pipe to ffmpeg: ") + std::strerror(errno), {},
+                "close some programs and try again");
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
@@ -54,14 +56,15 @@ FramePipe::FramePipe(const std::string& path, int width, int height, int frames_
   close(ends[0]);
   if (failed != 0) {
     close(ends[1]);
-    throw Error(ErrorKind::kBadInput, std::string("ffmpeg cannot be started: ") + std::strerror(failed));
+    throw Error(ErrorKind::kBadInput, std::string("ffmpeg cannot be started: ") + std::strerror(failed), {},
+                "see whether ffmpeg runs in a terminal");
   }
   pipe_ = ends[1];
 }
 
 FramePipe::~FramePipe() {
   if (pipe_ >= 0) close(pipe_);
-  if (process_ > 0) waitpid(process_, nullptr, 0);
+  while (process_ > 0 && waitpid(process_, nullptr, 0) < 0 && errno == EINTR) continue;
 }
 
 bool FramePipe::write(std::span<const std::uint8_t> rgba) noexcept {

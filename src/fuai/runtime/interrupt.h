@@ -8,7 +8,8 @@
 
 namespace fuai {
 
-/// Takes both signals while it lives; one at a time in a process. A second signal ends the process as ever.
+/// Takes both signals while it lives; one at a time in a process. The same signal
+/// a second time ends the process as ever.
 class InterruptFlag {
  public:
   InterruptFlag();  ///< Thread class: set-up.

@@ -1,9 +1,12 @@
 // A thread that does a tick as often as real time asks, slower where the machine cannot follow.
 // SPDX-License-Identifier: Apache-2.0
 //
-//   tick due  ->  tick()  ->  due += period / speed  ->  sleep until then, but never longer than
-//   kLongestSleep nothing to do (tick() said so): ask again soon late by more than kMostDebt: the debt is
-//   forgotten, and what runs in it has become slower; nothing freezes and nothing races to catch up
+//   tick due               tick(), due += period / speed, sleep until then, never longer than kLongestSleep
+//
+//   nothing to do          (tick() said so) ask again soon
+//
+//   later than kMostDebt   the debt is forgotten, and what runs in it has become slower; nothing freezes and
+//                          nothing races to catch up
 #pragma once
 
 #include <array>

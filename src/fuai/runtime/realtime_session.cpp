@@ -133,6 +133,14 @@ RealtimeReport RealtimeSession::run(SessionClock& force_clock, SessionClock& clo
       if (options_.claim) cloth_refused = claim_priority(kClothPriority);
       run_cloth(cloth_clock);
     });
+    // Whatever ends this block, the cloth's thread is told before it is waited for.
+    struct EndCloth {
+      explicit EndCloth(std::atomic<bool>& ends) : flag(ends) {}
+      EndCloth(const EndCloth&) = delete;
+      EndCloth& operator=(const EndCloth&) = delete;
+      ~EndCloth() { flag.store(true); }
+      std::atomic<bool>& flag;
+    } const end_cloth(cloth_ends_);
     std::jthread forces([&] {
       if (options_.claim) force_refused = claim_priority(kForcePriority);
       run_forces(force_clock, stop);

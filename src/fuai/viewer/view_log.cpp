@@ -123,6 +123,9 @@ void ViewLogWriter::announce(std::uint64_t build, const ViewSetup& setup) {
 void ViewLogWriter::write(const std::vector<ViewEvent>& events, std::int64_t rewound_to) {
   Parts& p = *parts_;
   std::string text;
+  if (p.began && rewound_to >= 0 && rewound_to <= p.part_tick)
+    throw Error(ErrorKind::kUsage, "the beginning of the recording was taken back", {},
+                "begin it with replace()");
   if (p.began && rewound_to > p.part_tick)
     text += std::string(view_log::kRewind) + " " + std::to_string(rewound_to) + "\n";
   for (const ViewEvent& event : events) {

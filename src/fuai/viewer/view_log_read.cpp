@@ -7,7 +7,6 @@
 
 #include "fuai/core/error.h"
 #include "fuai/core/hash.h"
-#include "fuai/io/fabric_library.h"
 #include "fuai/io/text_file.h"
 #include "fuai/viewer/view_log.h"
 #include "fuai/viewer/view_log_words.h"
@@ -96,9 +95,11 @@ ViewFabric read_fabric(Line& line) {
   ViewFabric fabric;
   const std::uint64_t recorded = line.hash();
   for (double& factor : fabric.factors) factor = line.number(kLeastFactor, kMostFactor);
-  fabric.source = unescaped(line);
-  if (fabric.source.empty()) line.refuse("the fabric has no name");
-  fabric.measured = load_fabric(fabric.source);
+  const std::string source = unescaped(line);
+  if (source.empty()) line.refuse("the fabric has no name");
+  const auto factors = fabric.factors;
+  fabric = load_view_fabric(source);
+  fabric.factors = factors;
   if (laws_hash(make_view_laws(fabric)) != recorded) {
     line.refuse("the fabric '" + fabric.source + "' is not what it was when this was recorded",
                 "bring back the fabric file of then; a recording holds its name, not its numbers");
@@ -200,7 +201,7 @@ class Reader {
     parts_.back().events.push_back(event);
   }
 
-  static constexpr std::int64_t kMostTick = std::int64_t{1} << 31;
+  static constexpr std::int64_t kMostTick = (std::int64_t{1} << 31) - 1;  // what single_steps() takes
   std::vector<ViewLogPart> parts_;
   bool in_head_ = false;
   std::int64_t last_tick_ = 0;

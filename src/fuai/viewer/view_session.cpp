@@ -289,7 +289,7 @@ void ViewSession::Parts::show(double wall_us) {
                      (!playing && target < 0 && tick != shown_tick);
   const bool due = (dirty || moved) && wall_us - shown_at >= kSnapshotPeriod_us && target < 0;
   if (!due && !must_show) return;
-  const bool energies = must_show || wall_us - energies_at >= kEnergyPeriod_us;
+  const bool energies = must_show || !playing || wall_us - energies_at >= kEnergyPeriod_us;
   if (energies) energies_at = wall_us;
   fill_draft(energies);
   box->put(draft);

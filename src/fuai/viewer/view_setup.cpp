@@ -7,6 +7,8 @@
 
 #include "fuai/core/error.h"
 #include "fuai/fabric/play_law.h"
+#include "fuai/io/fabric_import.h"
+#include "fuai/io/fabric_library.h"
 
 namespace fuai {
 namespace {
@@ -27,6 +29,26 @@ double bias_factor(const FabricLaws& laws, double p, double q) {
 }
 
 }  // namespace
+
+ViewFabric load_view_fabric(const std::string& source) {
+  ViewFabric fabric;
+  fabric.source = source;
+  const bool bundled = source.find('/') == std::string::npos && source.find('.') == std::string::npos;
+  if (bundled || source.ends_with(".toml")) {
+    fabric.measured = load_fabric(source);
+    return fabric;
+  }
+  FabricImport import;
+  import.files = {source};
+  ImportedFabrics read = import_fabrics(import);
+  const std::size_t count = read.fabrics.size();
+  fabric.measured = std::move(read.fabrics.front());
+  if (count > 1)
+    fabric.measured.warnings.push_back("the first of " + std::to_string(count) + " fabrics of this sheet");
+  if (fabric.measured.id.empty()) fabric.measured.id = fabric.measured.name;
+  std::replace(fabric.measured.id.begin(), fabric.measured.id.end(), '/', '-');  // files are named by it
+  return fabric;
+}
 
 bool ViewFabric::changed() const noexcept {
   return std::any_of(factors.begin(), factors.end(), [](double factor) { return factor != 1.0; });

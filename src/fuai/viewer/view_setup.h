@@ -40,6 +40,11 @@ struct ViewFabric {
   bool changed() const noexcept;
 };
 
+/// A bundled fabric, a fabric file, or what import_fabrics() makes one of; of a sheet the first. What it has
+/// to be known by stays in `source`. @throws Error as load_fabric() and import_fabrics(). Thread class:
+/// set-up.
+ViewFabric load_view_fabric(const std::string& source);
+
 /// Laws with the factors applied: elastic curves and friction of the laws are scaled, so that measured curves
 /// keep their shape. @throws Error as make_fabric_laws(), and (kUsage) for a factor out of range.
 /// Thread class: set-up.

@@ -191,7 +191,7 @@ void ViewStage::take_shape_of(const ViewStage& other) {
     const std::size_t from = c < other.size() ? c : 0;
     if (!same_cut(cloths_->scene(c), other.cloths_->scene(from))) continue;
     any = true;
-    ClothState state;
+    ClothState& state = each_[c].scratch;  // sized for this cloth already
     other.simulation(from).snapshot(state);
     state.carried.clear();  // known of the old material only
     simulation(c).restore(state);

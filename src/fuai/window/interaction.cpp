@@ -137,6 +137,11 @@ void handle_mouse(ViewerState& state) {
   const ImGuiIO& io = ImGui::GetIO();
   const Vec2 pixel = mouse_place();
   const double wheel = static_cast<double>(io.MouseWheel);
+  if (state.drag.kind != Drag::Kind::kNone && state.drag.tile >= state.tiles.size()) {  // its cloth is gone
+    if (state.drag.kind == Drag::Kind::kHand && !state.drag.stays)
+      state.hands.release(*state.session, state.drag.hand);
+    state.drag = {};
+  }
   if (state.drag.kind == Drag::Kind::kNone) {
     const int tile = tile_at(state, pixel);
     if (io.WantCaptureMouse || tile < 0) return;

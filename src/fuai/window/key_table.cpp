@@ -24,6 +24,8 @@ constexpr KeyRow kRows[] = {
     {kReset, GLFW_KEY_R, false, false, "R", TextId::kKeyReset},
     {kReset, GLFW_KEY_BACKSPACE, false, false, "Backspace", TextId::kKeyReset},
     {kFaster, GLFW_KEY_EQUAL, false, false, "+", TextId::kKeyFaster},
+    {kFaster, GLFW_KEY_EQUAL, false, true, "+", TextId::kKeyFaster},
+    {kFaster, GLFW_KEY_SEMICOLON, false, true, "+", TextId::kKeyFaster},
     {kFaster, GLFW_KEY_KP_ADD, false, false, "+", TextId::kKeyFaster},
     {kSlower, GLFW_KEY_MINUS, false, false, "-", TextId::kKeySlower},
     {kSlower, GLFW_KEY_KP_SUBTRACT, false, false, "-", TextId::kKeySlower},

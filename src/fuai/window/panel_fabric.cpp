@@ -98,10 +98,11 @@ void number_table(ViewerState& state, std::size_t place) {
 
 void sliders(ViewerState& state, std::size_t place) {
   ImGui::TextUnformatted(state.text(TextId::kFactors));
-  const ViewFabric& fabric = state.document.setup().fabrics[place];
+  // Anew each time: a change of the document moves it.
+  const auto fabric = [&]() -> const ViewFabric& { return state.document.setup().fabrics[place]; };
   for (std::size_t i = 0; i < kFabricFactorCount; ++i) {
     ImGui::PushID(static_cast<int>(i));
-    auto factor = static_cast<float>(fabric.factors[i]);
+    auto factor = static_cast<float>(fabric().factors[i]);
     ImGui::SetNextItemWidth(0.5F * ImGui::GetContentRegionAvail().x);
     const bool moved =
         ImGui::SliderFloat(state.text(kFactorNames[i]), &factor, static_cast<float>(kLeastFactor),
@@ -114,7 +115,7 @@ void sliders(ViewerState& state, std::size_t place) {
     if (ImGui::IsItemDeactivated()) state.document.end_row();
     ImGui::PopID();
   }
-  if (fabric.changed() && ImGui::Button(state.text(TextId::kAsMeasured))) {
+  if (fabric().changed() && ImGui::Button(state.text(TextId::kAsMeasured))) {
     ViewSetup setup = state.document.setup();
     setup.fabrics[place].factors.fill(1.0);
     state.document.change(std::move(setup));

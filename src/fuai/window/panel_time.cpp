@@ -61,14 +61,15 @@ void status(ViewerState& state) {
     weight = s.cloths[0].energy.weight;
     kinetic = s.cloths[0].kinetic_energy;
   }
-  char pace[16] = "-";
-  if (state.real_time_factor && state.playing)
-    std::snprintf(pace, sizeof pace, "×%.2f", *state.real_time_factor);
-  ImGui::Text("%.3f s   %s %.0f µs   %s %s   %s %.3f + %.3f + %.3f mJ   %s   %s %.0f ms", s.time,
-              state.text(TextId::kStatusStep), s.step_us, state.text(TextId::kStatusRealTime), pace,
-              state.text(TextId::kStatusEnergy), 1e3 * internal, 1e3 * weight, 1e3 * kinetic,
-              state.text(TextId::kStatusDevice), state.text(TextId::kStatusFrames), state.picture_ms);
+  ImGui::Text("%.3f s   %s %.3f + %.3f + %.3f mJ   %s", s.time, state.text(TextId::kStatusEnergy),
+              1e3 * internal, 1e3 * weight, 1e3 * kinetic, state.text(TextId::kStatusDevice));
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.text(TextId::kEnergyParts));
+  if (state.real_time_factor) {  // else nothing is paced, and times would say nothing
+    ImGui::SameLine();
+    ImGui::Text("  %s %.0f µs   %s ×%.2f   %s %.0f ms", state.text(TextId::kStatusStep), s.step_us,
+                state.text(TextId::kStatusRealTime), state.playing ? *state.real_time_factor : 0.0,
+                state.text(TextId::kStatusFrames), state.picture_ms);
+  }
   if (state.recording || state.filming || state.logging) {
     ImGui::SameLine();
     ImGui::TextColored({0.95F, 0.3F, 0.25F, 1.0F}, "● %s", state.text(TextId::kRecording));

@@ -82,6 +82,9 @@ class Viewer {
     while (!host_->closing() && !state_.wishes.quit && !over()) frame();
     ViewerResult result;
     thread_.reset();
+    // Once more, without a step: the snapshot of the last tick, with its energies.
+    state_.session->play(false);
+    state_.session->tick(wall_us_ = std::max(wall_us_, PacedThread::now_us()) + 1e6);
     if (!options_.screenshot.empty()) write_screenshot();
     files_->follow(state_, target_);
     result.seconds = static_cast<double>(state_.session->ticks()) * kViewStep;
@@ -133,7 +136,7 @@ class Viewer {
       state_.real_time_factor = thread_->real_time_factor();
       return;
     }
-    for (int i = 0; i < kTicksAPicture && !over(); ++i) state_.session->tick(PacedThread::now_us());
+    for (int i = 0; i < kTicksAPicture && !over(); ++i) state_.session->tick(wall_us_ += 1e6 * kViewStep);
   }
 
   void panels() {
@@ -250,6 +253,7 @@ class Viewer {
   ScreenTarget target_;
   std::unique_ptr<ViewerFiles> files_;
   bool frame_next_ = true;
+  double wall_us_ = 0.0;  // of the ticks that are done here
   double last_picture_ = 0.0;
   std::int64_t pictures_ = 0;
   std::vector<double> picture_times_, paint_times_;

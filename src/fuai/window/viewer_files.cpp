@@ -25,13 +25,15 @@ namespace {
 constexpr int kFilmRate = 30;  // pictures a simulated second
 constexpr int kFilmDirections = 64;
 
-/// Runs what may fail; tells it.
+/// Runs what may fail; tells it. @return whether it did not
 template <class Work>
-void try_files(ViewerState& state, const Work& work) {
+bool try_files(ViewerState& state, const Work& work) {
   try {
     work();
+    return true;
   } catch (const Error& e) {
     state.say(e.what(), true);
+    return false;
   }
 }
 
@@ -63,20 +65,26 @@ class ViewerFiles::Video {
   const std::string& path() const { return path_; }
   bool is_film() const { return pipe_ != nullptr; }
 
-  /// A picture whenever its time has come. @return false when it cannot go on
-  bool follow(double time, const ScreenTarget& target) {
+  /// A picture whenever its time has come. @throws Error when it cannot go on
+  void follow(double time, const ScreenTarget& target) {
     if (next_ < 0.0 || time < next_ - 1.0) next_ = time;  // the beginning, or a way back in time
-    if (time < next_) return true;
+    if (time < next_) return;
     next_ += 1.0 / kFilmRate;
     if (time > next_) next_ = time;
-    if (part_.left + part_.width > target.width() || part_.top + part_.height > target.height()) return false;
+    if (part_.left + part_.width > target.width() || part_.top + part_.height > target.height())
+      throw Error(ErrorKind::kBadInput, "the window became smaller than the video, which ends here",
+                  {path_, 0, 0, ""}, "film again");
     Image image = target.read(part_);
     for (std::size_t i = 3; i < image.pixels.size(); i += 4) image.pixels[i] = 255;
-    if (pipe_) return pipe_->write(image.pixels);
+    if (pipe_) {
+      if (!pipe_->write(image.pixels))
+        throw Error(ErrorKind::kBadInput, "ffmpeg has ended before the video", {path_, 0, 0, ""},
+                    "see that the folder can be written and has room");
+      return;
+    }
     char name[32];
     std::snprintf(name, sizeof name, "/%06d.png", ++count_);
     write_atomically(path_ + name, encode_png(image));
-    return true;
   }
 
  private:
@@ -170,6 +178,7 @@ void ViewerFiles::toggle_video(ViewerState& state) {
 
 void ViewerFiles::start_recording(ViewerState& state, const std::string& path) {
   recording_ = std::make_unique<ViewLogWriter>(path, state.built);
+  lost_before_ = state.session->lost_events();
   state.recording = true;
 }
 
@@ -240,19 +249,27 @@ void ViewerFiles::setup_changed(ViewerState& state) {
 void ViewerFiles::follow_events(ViewerState& state) {
   std::int64_t rewound_to = -1;
   const std::vector<ViewEvent> events = state.session->take_events(rewound_to);
-  if (recording_) recording_->write(events, rewound_to);
+  if (!recording_) return;
+  if (state.session->lost_events() != lost_before_)
+    throw Error(ErrorKind::kBadInput, "events of the cloths were lost; the recording ends here", {},
+                "record again");
+  recording_->write(events, rewound_to);
+}
+
+void ViewerFiles::follow_forces(const ViewerState& state) {
+  std::vector<std::string> names;
+  for (const ViewFabric& fabric : state.built.fabrics) names.push_back(fabric.measured.name);
+  forces_->write(state.snapshot(), names);
 }
 
 void ViewerFiles::follow(ViewerState& state, const ScreenTarget& target) {
-  try_files(state, [&] {
-    follow_events(state);
-    if (forces_) {
-      std::vector<std::string> names;
-      for (const ViewFabric& fabric : state.built.fabrics) names.push_back(fabric.measured.name);
-      forces_->write(state.snapshot(), names);
-    }
-    if (video_ && !video_->follow(state.snapshot().time, target)) toggle_video(state);
-  });
+  // What failed once is ended: with a gap the rest is worth nothing, and once is enough to tell.
+  if (!try_files(state, [&] { follow_events(state); })) recording_.reset();
+  if (forces_ && !try_files(state, [&] { follow_forces(state); })) forces_.reset();
+  if (video_ && !try_files(state, [&] { video_->follow(state.snapshot().time, target); })) video_.reset();
+  state.recording = recording_ != nullptr;
+  state.logging = forces_ != nullptr;
+  state.filming = video_ != nullptr;
 }
 
 }  // namespace fuai

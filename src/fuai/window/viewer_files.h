@@ -39,10 +39,12 @@ class ViewerFiles {
   void toggle_force_log(ViewerState& state);
   void save_fabric(ViewerState& state);
   void follow_events(ViewerState& state);
+  void follow_forces(const ViewerState& state);
   std::string free_name(const std::string& stem, const std::string& ending) const;
 
   std::string folder_, version_;
   std::unique_ptr<ViewLogWriter> recording_;
+  std::uint64_t lost_before_ = 0;  // events that were lost before it began
   std::unique_ptr<ForceLog> forces_;
   class Video;
   std::unique_ptr<Video> video_;

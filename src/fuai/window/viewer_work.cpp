@@ -8,30 +8,12 @@
 
 #include "fuai/core/error.h"
 #include "fuai/experiments/scene_pictures.h"
-#include "fuai/io/fabric_import.h"
-#include "fuai/io/fabric_library.h"
 #include "fuai/io/threshold_file.h"
 #include "fuai/scenes/catalogue.h"
 #include "fuai/window/ui_style.h"
 
 namespace fuai {
 namespace {
-
-ViewFabric load_view_fabric(const std::string& source) {
-  ViewFabric fabric;
-  fabric.source = source;
-  const bool bundled = source.find('/') == std::string::npos && source.find('.') == std::string::npos;
-  if (bundled || source.ends_with(".toml")) {
-    fabric.measured = load_fabric(source);
-    return fabric;
-  }
-  FabricImport import;
-  import.files = {source};
-  ImportedFabrics read = import_fabrics(import);
-  fabric.measured = std::move(read.fabrics.front());
-  if (fabric.measured.id.empty()) fabric.measured.id = fabric.measured.name;
-  return fabric;
-}
 
 /// Laws, numbers and differences of the fabrics.
 void study_fabrics(ViewerState& state) {
@@ -165,7 +147,7 @@ bool follow_document(ViewerState& state) {
     return true;
   } catch (const Error& e) {
     state.say(std::string(e.what()) + " (" + state.text(TextId::kNothingChanged) + ")", true);
-    state.document.undo();
+    state.document.change(state.built);  // what is seen
     state.built_version = state.document.version();
     study_fabrics(state);
     return false;

@@ -95,6 +95,7 @@ void hdEnable(unsigned capability) {
   d->force_output = true;
 }
 void hdBeginFrame(unsigned handle) {
+  if (handle < 2) current = handle;  // also of a device that is gone
   FakeHdDevice* const d = device(handle);
   if (d == nullptr) return;
   if (d->in_frame) return misuse(0x400);

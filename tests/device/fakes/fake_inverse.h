@@ -62,9 +62,8 @@ struct FakeInverse {
   /// Takes what has come, answers what is due.
   void pump() {
     if (socket.pump()) open_ = false;
-    if (!socket.connected()) return;
-    if (!open_ && !handshake()) return;
-    listen();
+    if (!open_ && !(socket.connected() && handshake())) return;
+    listen();  // also to the last words of a connection that has ended
     for (int& wait : waiting_) --wait;
     while (!waiting_.empty() && waiting_.front() < 0) {
       waiting_.pop_front();

@@ -80,10 +80,9 @@ struct FakeVrpn {
       client_senders.clear();
       client_types.clear();
     }
-    if (!socket.connected()) return;
-    if (!greeted_) greet();
-    listen();
-    if (!silent) pose(position);
+    if (socket.connected() && !greeted_) greet();
+    listen();  // also to the last words of a connection that has ended
+    if (socket.connected() && !silent) pose(position);
   }
   void pose(const fuai::Vec3& where, const std::array<double, 4>& turn = {0, 0, 0, 1}) {
     Bytes payload(8, 0);
@@ -110,6 +109,7 @@ struct FakeVrpn {
     if (types_first) types();
     say(vrpn_description(-1, 0, "VRPN Control"));
     say(vrpn_description(-1, id, name));
+    say(vrpn_description(-1, 9, "a sender whose name is longer than a short string"));
     if (!types_first) types();
   }
 
