@@ -17,13 +17,23 @@ if(FUAI_ASSERTIONS)
   target_compile_definitions(fuai_options INTERFACE FUAI_ASSERTIONS=1)
 endif()
 if(FUAI_SANITIZE)
-  # Global on purpose: every object of a sanitizer build has to be instrumented.
-  add_compile_options(-fsanitize=${FUAI_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  # Global on purpose: every object of a sanitizer build has to be instrumented. Instrumentation confuses g++'s analysis
+  # of what may be uninitialised (its manual says so); the release builds keep that warning.
+  add_compile_options(-fsanitize=${FUAI_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   add_link_options(-fsanitize=${FUAI_SANITIZE})
+  if(FUAI_SANITIZE STREQUAL "address,undefined")
+    # A third of the compile time, for faults that end the program here anyway: a null pointer is caught by the address
+    # sanitizer, a misaligned vector load by the processor. The fuzz build keeps them.
+    add_compile_options(-fno-sanitize=null,alignment,vptr)
+  endif()
 endif()
 
-# What is tested is optimised, the tests themselves compile a quarter faster without.
+# What is tested is optimised, the tests themselves compile a quarter faster without; instrumented, twice as fast.
 set(FUAI_TEST_FLAGS $<$<CONFIG:Release>:-O1>)
+if(FUAI_SANITIZE)
+  set(FUAI_TEST_FLAGS -O0)
+endif()
 
 # fuai_joined(<target>)
 # Compiles a target's sources several at a time, those together that name nothing alike for themselves: a build from
