@@ -88,7 +88,6 @@ class ClothHand final : public HapticEnvironment {
     double trust = 0.0;
   };
   void grip(Hand& hand, const ToolPose& pose) noexcept;
-  bool choose_patch(Hand& hand, const Vec3& tool) noexcept;
   void audit(std::span<LocalModel> models) noexcept;
   void probe(std::span<const ToolPose> poses, double next, std::span<LocalModel> models) noexcept;
   void run_twin(std::span<const ToolPose> poses, double next, std::size_t moved, const Vec3& off) noexcept;

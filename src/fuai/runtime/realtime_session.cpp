@@ -56,6 +56,7 @@ std::uint64_t RealtimeSession::note_lateness(double lateness) noexcept {
   const double missed = std::floor(std::max(0.0, lateness) / options_.tick);
   const auto count = static_cast<std::uint64_t>(std::min(missed, 1e15));
   report_.overruns += count;
+  overruns_.store(report_.overruns, std::memory_order_relaxed);
   return count;
 }
 

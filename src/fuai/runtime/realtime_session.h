@@ -84,6 +84,8 @@ class RealtimeSession {
   /// Thread class: set-up.
   RealtimeReport run(SessionClock& force_clock, SessionClock& cloth_clock, const std::atomic<bool>& stop,
                      const std::function<void(std::int64_t)>& on_wait = {});
+  /// RealtimeReport::overruns so far. Thread class: any.
+  std::uint64_t overruns() const noexcept { return overruns_.load(std::memory_order_relaxed); }
 
  private:
   struct Poses {
@@ -104,6 +106,7 @@ class RealtimeSession {
   Mailbox<Poses> poses_;
   std::atomic<bool> cloth_ends_{false}, done_{false};
   std::atomic<std::int64_t> ticks_{0};
+  std::atomic<std::uint64_t> overruns_{0};
   // Of the force loop alone:
   Poses sent_;
   // Of the cloth alone:
