@@ -9,9 +9,11 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "fuai/core/error.h"
+#include "fuai/device/registry.h"
 #include "fuai/io/fabric_library.h"
 #include "fuai/io/text_file.h"
 #include "fuai/picture/cloth_painter.h"
@@ -72,16 +74,18 @@ class Viewer {
     state_.fabric_names = bundled_fabric_ids();
     state_.browse_folder = data_folder();
     begin_session(state_);
+    open_device();
     open_host();
     if (!options.record.empty()) files_->start_recording(state_, options.record);
     state_.session->play(true);
-    if (!steps_itself()) start_thread();
+    start_thread();
   }
 
   ViewerResult run() {
     while (!host_->closing() && !state_.wishes.quit && !over()) frame();
     ViewerResult result;
     thread_.reset();
+    end_device(result);
     // Once more, without a step: the snapshot of the last tick, with its energies.
     state_.session->play(false);
     state_.session->tick(wall_us_ = std::max(wall_us_, PacedThread::now_us()) + 1e6);
@@ -108,6 +112,54 @@ class Viewer {
            static_cast<double>(state_.session->ticks()) * kViewStep >= options_.seconds - 0.5 * kViewStep;
   }
 
+  /// A device that is not there is told, and the mouse goes on.
+  void open_device() {
+    const std::string driver = options_.device.substr(0, options_.device.find(':'));
+    if (driver.empty() || find_device_driver(driver).name == mouse_driver().name) return;
+    state_.device.asked = options_.device;
+    try {
+      HandDevice opened = open_hand_device(options_.device);
+      if (steps_itself() && !opened.computed) {
+        throw Error(ErrorKind::kUsage,
+                    "'" + options_.device + "' lives in real time, and --seconds is computed time", {},
+                    "leave --seconds out, or take --device simulated");
+      }
+      device_ =
+          std::make_unique<DeviceHand>(std::move(opened), *state_.session,
+                                       steps_itself() ? DeviceHand::Time::kVirtual : DeviceHand::Time::kReal);
+      state_.device.model = device_->info().model;
+      state_.device.gives_force = device_->info().peak_force > 0.0;
+    } catch (const Error& e) {
+      if (e.kind() != ErrorKind::kNoDevice) throw;
+      tell(e.problem() + (e.cure().empty() ? "" : " (" + e.cure() + ")"));
+    }
+  }
+  /// To the window and to whoever started it.
+  void tell(const std::string& what) {
+    const std::string line = what + "; " + state_.text(TextId::kDeviceMouseGoesOn);
+    state_.say(line, true);
+    if (options_.say) options_.say(line);
+  }
+  void follow_device() {
+    if (!device_) return;
+    const DeviceView before = std::exchange(state_.device.view, device_->look());
+    const DeviceView& now = state_.device.view;
+    if (now.away && !before.away) tell(state_.device.model + ": " + state_.text(TextId::kDeviceAway));
+    if (!now.away && before.away) state_.say(state_.device.model + ": " + state_.text(TextId::kDeviceBack));
+    if (now.faulted && !before.faulted) tell(state_.device.model + ": " + state_.text(TextId::kDeviceFault));
+    device_force_ = std::max(device_force_, now.force);
+  }
+  void end_device(ViewerResult& result) {
+    if (!device_) return;
+    follow_device();
+    const std::vector<std::string> refused = device_->end();
+    if (options_.say)
+      for (const std::string& line : refused) options_.say(line);
+    result.device = state_.device.model;
+    result.overruns = state_.device.view.overruns;
+    result.device_force = device_force_;
+  }
+
   void open_host() {
     host_ = options_.window ? make_window_host(options_.width, options_.height, "fuai")
                             : make_headless_host(options_.width, options_.height);
@@ -126,17 +178,31 @@ class Viewer {
   }
 
   void start_thread() {
+    if (device_) device_->begin(state_.cloths->scene(0).view);
+    if (device_ || steps_itself()) return;
     thread_ = std::make_unique<PacedThread>(
         [session = state_.session.get()] { return session->tick(PacedThread::now_us()); }, kViewStep);
   }
 
   void step_cloths() {
+    follow_device();
+    if (device_ && !steps_itself()) {
+      device_->set_speed(state_.settings.speed);
+      state_.real_time_factor = device_->real_time_factor();
+      return;
+    }
     if (thread_) {
       thread_->set_speed(state_.settings.speed);
       state_.real_time_factor = thread_->real_time_factor();
       return;
     }
-    for (int i = 0; i < kTicksAPicture && !over(); ++i) state_.session->tick(wall_us_ += 1e6 * kViewStep);
+    for (int i = 0; i < kTicksAPicture && !over(); ++i) {
+      wall_us_ += 1e6 * kViewStep;
+      if (device_)
+        device_->tick(wall_us_);
+      else
+        state_.session->tick(wall_us_);
+    }
   }
 
   void panels() {
@@ -157,7 +223,10 @@ class Viewer {
     step_cloths();
     if (follow_document(state_)) {
       files_->setup_changed(state_);
-      if (state_.built.scene != framed_scene_) frame_next_ = true;
+      if (state_.built.scene != framed_scene_) {
+        frame_next_ = true;
+        if (device_) device_->begin(state_.cloths->scene(0).view);
+      }
     }
     take_snapshot(state_);
     state_.tiles = make_tiles(lay_out(state_).view, state_.meshes.size());
@@ -257,6 +326,8 @@ class Viewer {
   double last_picture_ = 0.0;
   std::int64_t pictures_ = 0;
   std::vector<double> picture_times_, paint_times_;
+  double device_force_ = 0.0;
+  std::unique_ptr<DeviceHand> device_;
   std::unique_ptr<PacedThread> thread_;
 };
 

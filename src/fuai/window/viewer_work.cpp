@@ -82,6 +82,10 @@ void remember_forces(ViewerState& state) {
   ForceMoment moment;
   moment.time = snapshot.time;
   moment.hand = state.hands.last();
+  // The mouse's hand, else that of the device.
+  constexpr auto kDevice = static_cast<int>(kDeviceHand);
+  const bool was_device = !state.forces.empty() && state.forces.back().hand == kDevice;
+  if (moment.hand < 0 && snapshot.cloths.front().hands[kDeviceHand].holds) moment.hand = kDevice;
   for (const ClothView& cloth : snapshot.cloths) {
     // Without a hand of the user's that of the scene.
     const GraspReading& reading =
@@ -92,7 +96,10 @@ void remember_forces(ViewerState& state) {
   }
   if (moment.hand >= 0) {
     const UserHand& hand = state.hands.hand(static_cast<std::size_t>(moment.hand));
-    moment.way = (hand.target - hand.start).norm();
+    const Vec3& place = snapshot.cloths.front().targets[kDeviceHand];
+    if (moment.hand == kDevice && !was_device) state.device.start = place;
+    moment.way =
+        moment.hand == kDevice ? (place - state.device.start).norm() : (hand.target - hand.start).norm();
   }
   state.forces.push_back(std::move(moment));
 }
