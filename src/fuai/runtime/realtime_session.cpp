@@ -131,7 +131,7 @@ RealtimeReport RealtimeSession::run(SessionClock& force_clock, SessionClock& clo
   std::string force_refused, cloth_refused;
   {
     std::jthread cloth([&] {
-      if (options_.claim) cloth_refused = claim_priority(kClothPriority);
+      if (options_.claim && options_.claim_cloth) cloth_refused = claim_priority(kClothPriority);
       run_cloth(cloth_clock);
     });
     // Whatever ends this block, the cloth's thread is told before it is waited for.

@@ -45,8 +45,9 @@ struct RealtimeOptions {
   /// Longest step of the cloth [s]: what it missed beyond that is not made up for, so that a stall does not
   /// end in one huge step.
   double longest_step = 0.1;
-  std::int64_t ticks = 0;  ///< 0: until it is told to stop
-  bool claim = true;       ///< ask the system for priority and locked memory
+  std::int64_t ticks = 0;   ///< 0: until it is told to stop
+  bool claim = true;        ///< ask the system for priority and locked memory
+  bool claim_cloth = true;  ///< priority for the cloth too, which may want a whole core of its own
 };
 
 /// How late ticks woke: from 0 on in octaves of a microsecond, <1, <2, <4 ... <2^(n-1), and the rest.

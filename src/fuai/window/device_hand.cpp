@@ -122,8 +122,8 @@ void DeviceHand::begin(const SceneView& scene) {
   RealtimeOptions real;
   real.tick = 1.0 / std::clamp(info.rate, kLeastRate, kMostRate);
   real.cloth_period = kViewStep;
-  // On two cores the cloth and the force loop would leave nothing for the pictures.
-  real.claim = std::thread::hardware_concurrency() > 2;
+  // The cloth may take a core all for itself; the pictures need one, and whatever else runs.
+  real.claim_cloth = std::thread::hardware_concurrency() > 2;
   running_ = std::make_unique<RunningSession>(std::array{hand}, cloth, real, rule, listener);
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -134,19 +135,22 @@ class Viewer {
       tell(e.problem() + (e.cure().empty() ? "" : " (" + e.cure() + ")"));
     }
   }
-  /// To the window and to whoever started it.
-  void tell(const std::string& what) {
-    const std::string line = what + "; " + state_.text(TextId::kDeviceMouseGoesOn);
-    state_.say(line, true);
-    if (options_.say) options_.say(line);
+  /// To the window in its language, and in English to whoever started it.
+  void tell(const std::string& what, std::optional<TextId> more = {}) {
+    const auto line = [&](Language language) {
+      return what + (more ? std::string(": ") + ui_text(*more, language) : "") + "; " +
+             ui_text(TextId::kDeviceMouseGoesOn, language);
+    };
+    state_.say(line(state_.settings.language), true);
+    if (options_.say) options_.say(line(Language::kEnglish));
   }
   void follow_device() {
     if (!device_) return;
     const DeviceView before = std::exchange(state_.device.view, device_->look());
     const DeviceView& now = state_.device.view;
-    if (now.away && !before.away) tell(state_.device.model + ": " + state_.text(TextId::kDeviceAway));
+    if (now.away && !before.away) tell(state_.device.model, TextId::kDeviceAway);
     if (!now.away && before.away) state_.say(state_.device.model + ": " + state_.text(TextId::kDeviceBack));
-    if (now.faulted && !before.faulted) tell(state_.device.model + ": " + state_.text(TextId::kDeviceFault));
+    if (now.faulted && !before.faulted) tell(state_.device.model, TextId::kDeviceFault);
     device_force_ = std::max(device_force_, now.force);
   }
   void end_device(ViewerResult& result) {
