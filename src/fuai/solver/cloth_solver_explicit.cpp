@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuai/solver/cloth_solver_explicit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
