@@ -29,7 +29,7 @@ struct ViewOptions {
   std::string device = "mouse";
   std::string language, theme, units, heat_map;
   int width = 1280, height = 720;
-  bool headless = false, moves = false, bare = false;
+  bool headless = false, moves = false, bare = false, rumble = false;
 };
 
 /// The first bundled fabric that a newcomer sees: measured in bending and tension, of middling weight.
@@ -83,6 +83,7 @@ int run_view(const Console& console, const ViewOptions& options) {
                   "take e.g. 2s, or leave it out");
   }
   viewer.device = options.device;
+  viewer.rumble = options.rumble;
   viewer.screenshot = options.screenshot;
   viewer.record = options.record;
   viewer.folder = options.folder;
@@ -130,6 +131,7 @@ void declare_view(const Command& parent) {
   command.option(
       "--device", options->device,
       "Driver, or driver:model, as `fuai haptics devices --diagnose` lists them: a hand beside the mouse");
+  command.flag("--rumble", options->rumble, "A gamepad rumbles with the force on your hand");
   command.option("--language", options->language, "en or ja").among({"en", "ja"});
   command.option("--theme", options->theme, "dark or light").among({"dark", "light"});
   command.option("--units", options->units, "kes or si").among({"kes", "si"});

@@ -14,7 +14,9 @@
 #include <vector>
 
 #include "fuai/core/error.h"
+#include "fuai/device/gamepad_rumble.h"
 #include "fuai/device/registry.h"
+#include "fuai/experiments/scene_pictures.h"
 #include "fuai/io/fabric_library.h"
 #include "fuai/io/text_file.h"
 #include "fuai/picture/cloth_painter.h"
@@ -76,6 +78,7 @@ class Viewer {
     state_.browse_folder = data_folder();
     begin_session(state_);
     open_device();
+    if (options_.rumble) open_rumble();
     open_host();
     if (!options.record.empty()) files_->start_recording(state_, options.record);
     state_.session->play(true);
@@ -134,6 +137,21 @@ class Viewer {
       if (e.kind() != ErrorKind::kNoDevice) throw;
       tell(e.problem() + (e.cure().empty() ? "" : " (" + e.cure() + ")"));
     }
+  }
+  void open_rumble() {
+    try {
+      rumble_ = std::make_unique<GamepadRumble>();
+    } catch (const Error& e) {
+      tell(e.problem() + " (" + e.cure() + ")");
+    }
+  }
+  /// As strong as the arrows are long: the force of the first cloth on the hand that gripped or moved last.
+  void rumble() {
+    if (!rumble_) return;
+    const bool felt = state_.playing && !state_.forces.empty() && state_.forces.back().hand >= 0;
+    if (rumble_->set(felt ? force_share(state_.forces.back().forces.front()) : 0.0)) return;
+    rumble_.reset();
+    tell("--rumble", TextId::kDeviceAway);
   }
   /// To the window in its language, and in English to whoever started it.
   void tell(const std::string& what, std::optional<TextId> more = {}) {
@@ -233,6 +251,7 @@ class Viewer {
       }
     }
     take_snapshot(state_);
+    rumble();
     state_.tiles = make_tiles(lay_out(state_).view, state_.meshes.size());
     if (frame_next_) {
       frame_view(state_);
@@ -331,6 +350,7 @@ class Viewer {
   std::int64_t pictures_ = 0;
   std::vector<double> picture_times_, paint_times_;
   double device_force_ = 0.0;
+  std::unique_ptr<GamepadRumble> rumble_;
   std::unique_ptr<DeviceHand> device_;
   std::unique_ptr<PacedThread> thread_;
 };

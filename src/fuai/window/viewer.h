@@ -31,6 +31,7 @@ struct ViewerOptions {
   bool scene_moves = false;        ///< the scene's own hands and pins move
   double seconds = 0.0;            ///< simulated time after which it ends [s]; 0: until it is closed
   std::string device;              ///< "driver" or "driver:model"; empty or "mouse": the mouse alone
+  bool rumble = false;             ///< a gamepad rumbles with the force on the hand of the user
   std::string screenshot;          ///< PNG written at the end
   std::string record;              ///< recording written from the start
   std::string folder = ".";        ///< where pictures, videos and logs go
