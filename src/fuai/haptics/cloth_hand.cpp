@@ -14,6 +14,7 @@ ImplicitOptions make_felt_options(const ImplicitOptions& scene) {
   ImplicitOptions options = scene;
   options.linearisations = 8;
   options.relinearise = 0.002;
+  options.implicitness = kFeltImplicitness;
   return options;
 }
 
