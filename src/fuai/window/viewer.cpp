@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "fuai/io/text_file.h"
 #include "fuai/picture/cloth_painter.h"
 #include "fuai/runtime/paced_thread.h"
+#include "fuai/window/kept_settings.h"
 #include "fuai/window/ui_style.h"
 #include "fuai/window/viewer_files.h"
 #include "fuai/window/viewer_host.h"
@@ -70,7 +72,10 @@ class Viewer {
   explicit Viewer(const ViewerOptions& options) : options_(options), state_(setup_of(options)) {
     state_.settings = options.settings;
     state_.fabric_names = bundled_fabric_ids();
-    state_.browse_folder = data_folder();
+    std::error_code code;  // a folder that is gone, or cannot be looked at, is not offered
+    const std::string& folder = options.kept.folder;
+    state_.browse_folder = std::filesystem::is_directory(folder, code) ? folder : data_folder();
+    load_texture();
     begin_session(state_);
     open_host();
     if (!options.record.empty()) files_->start_recording(state_, options.record);
@@ -93,10 +98,39 @@ class Viewer {
     result.picture_ms = median(picture_times_);
     result.paint_ms = median(paint_times_);
     result.renderer = renderer_;
+    keep_settings();
     return result;
   }
 
  private:
+  void say(const std::string& line) const {
+    if (options_.say) options_.say(line);
+  }
+
+  void load_texture() {
+    if (options_.texture.empty()) return;
+    try {
+      state_.texture =
+          std::make_shared<const Image>(decode_png(read_bytes(options_.texture), options_.texture));
+      state_.texture_width = options_.texture_width;
+    } catch (const Error& e) {
+      say(e.what());
+      state_.say(e.what(), true);
+    }
+  }
+
+  void keep_settings() const {
+    if (options_.settings_file.empty()) return;
+    KeptSettings keep = options_.kept;
+    keep.settings = settings_to_keep(options_.kept.settings, options_.settings, state_.settings);
+    if (state_.browse_folder != data_folder()) keep.folder = state_.browse_folder;
+    try {
+      write_kept_settings(options_.settings_file, keep);
+    } catch (const Error& e) {
+      say(e.what());  // a window that ends well ends well
+    }
+  }
+
   static ViewSetup setup_of(const ViewerOptions& options) {
     ViewSetup setup = make_view_setup(options.scene, options.fabrics, options.size);
     setup.scene_moves = options.scene_moves;
@@ -119,7 +153,7 @@ class Viewer {
     for (const ViewFabric& fabric : state_.document.setup().fabrics)
       names += fabric.measured.name + fabric.measured.composition;
     const std::string missing = load_fonts(std::round(kLetters * state_.settings.scale), names);
-    if (!missing.empty() && options_.say) options_.say(missing);
+    if (!missing.empty()) say(missing);
     apply_theme(state_.settings.dark, state_.settings.scale);
     painter_ = std::make_unique<ClothPainter>();
     files_ = std::make_unique<ViewerFiles>(options_.folder, options_.version);
@@ -128,6 +162,17 @@ class Viewer {
   void start_thread() {
     thread_ = std::make_unique<PacedThread>(
         [session = state_.session.get()] { return session->tick(PacedThread::now_us()); }, kViewStep);
+  }
+
+  /// A close view looks at the vertex nearest to the middle of the first cloth: the middle itself may lie
+  /// beside it.
+  void aim() {
+    if (options_.zoom <= 1.0) return;
+    const std::vector<Vec3>& places = state_.meshes.front().mesh.positions;
+    Vec3 middle = Vec3::Zero();
+    for (const Vec3& p : places) middle += p / static_cast<double>(places.size());
+    state_.camera.look_at(
+        *std::ranges::min_element(places, {}, [&](const Vec3& p) { return (p - middle).squaredNorm(); }));
   }
 
   void step_cloths() {
@@ -163,6 +208,8 @@ class Viewer {
     state_.tiles = make_tiles(lay_out(state_).view, state_.meshes.size());
     if (frame_next_) {
       frame_view(state_);
+      aim();
+      state_.camera.approach(options_.zoom);
       framed_scene_ = state_.built.scene;
       frame_next_ = false;
     }
@@ -216,6 +263,7 @@ class Viewer {
   void write_screenshot() {
     // Once more, with what the last ticks made; of the whole window, panels included.
     take_snapshot(state_);
+    if (!options_.window) aim();  // nobody could follow the cloth
     host_->begin_frame();
     ImGui::NewFrame();
     state_.tiles = make_tiles(lay_out(state_).view, state_.meshes.size());

@@ -71,6 +71,9 @@ struct ViewerState {
   std::vector<std::vector<FabricNumber>> numbers;  ///< by fabric, as measured
   std::optional<FabricComparison> comparison;      ///< when there are several
 
+  std::shared_ptr<const Image> texture;  ///< of all cloths; may be empty
+  double texture_width = 0.1;            ///< [m]
+
   HandBook hands;
   Drag drag;
   int left_presses = 0;  ///< since the last picture

@@ -232,7 +232,10 @@ ClothPicture cloth_picture(const ViewerState& state, std::size_t cloth, int ambi
   picture.ground.colour = ground_colour(settings.dark);
   ClothItem item;
   item.mesh = state.meshes[cloth].mesh;
-  item.thread_spacing = settings.weave ? scene.model.spacing : 0.0;
+  item.thread_spacing = settings.lines ? scene.model.spacing : 0.0;
+  if (settings.yarns) item.yarns = yarns_of(state.built.fabrics[cloth].measured);
+  item.texture = state.texture;
+  item.texture_width = state.texture_width;
   if (settings.heat_map >= 0 && !state.vertex_values[cloth].empty()) {
     const HeatRange range = heat_range(state);
     item.mesh.values = state.vertex_values[cloth];
