@@ -99,7 +99,8 @@ TautPatch make_taut_patch(int side, double spacing) {
     solver.restore(patch.start);
     for (int i = 0; i < steps; ++i) solver.step(dt);
     solver.save(patch.start);
-    for (Vec3& v : patch.start.velocities) v.setZero();
+    for (auto* field : {&patch.start.velocities, &patch.start.accelerations})
+      for (Vec3& v : *field) v.setZero();
   };
   settle(200, 0.01);
   patch.model.fixed[static_cast<std::size_t>(patch.grasp)] = 1;

@@ -60,6 +60,8 @@ function(fuai_joined target)
     set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "group${group}")
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # Headers that no source includes together meet here: an enumerator of one may have the name of another's constant.
+  target_compile_options(${target} PRIVATE -Wno-shadow)
 endfunction()
 
 # fuai_layer(<name> SOURCES ... HEADERS ... [PUBLIC libs...] [PRIVATE libs...])

@@ -12,7 +12,7 @@ import re
 import shlex
 import sys
 
-from source_groups import grouped, own_names, public_names
+from source_groups import Headers, grouped
 
 MOST = 24  # files of a unit: more pay little, and a unit is what one core works on
 
@@ -49,10 +49,10 @@ def main():
     entries = {e["file"]: e for e in json.loads((folder / "compile_commands.json").read_text())}
     built = [f for f in files if str(f) in entries]
     words = common_command([entries[str(f)] for f in built])
-    public = public_names(pathlib.Path(__file__).resolve().parents[1] / "src")
     # What this configuration does not build stands in for files that it does.
-    alone = [f for f in files if str(f) not in entries or own_names(f) & public]
-    groups = grouped([f for f in files if f not in alone], MOST) + [[f] for f in alone]
+    alone = [f for f in files if str(f) not in entries]
+    headers = Headers(pathlib.Path(__file__).resolve().parents[1] / "src")
+    groups = grouped([f for f in files if f not in alone], MOST, headers) + [[f] for f in alone]
     for number, group in enumerate(groups):
         place = folder / f"unit{number:03}"
         place.mkdir()

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "felt_setup.h"
 #include "fuai/cloth/cloth_piece.h"
 #include "fuai/core/smooth_rise.h"
 #include "fuai/device/device_simulated.h"
@@ -21,7 +22,6 @@ using namespace fuai;
 
 namespace {
 
-constexpr double kTick = 1e-3;
 /// The hand rests while the force ramps up, goes out slowly, so that it feels the cloth and not its inertia,
 /// and comes back [s].
 constexpr double kRest = 0.6, kOut = 4.0;

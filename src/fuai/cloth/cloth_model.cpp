@@ -14,6 +14,7 @@ ClothState make_cloth_state(const ClothModel& model) {
     }
   }
   state.velocities.assign(count, Vec3::Zero());
+  state.accelerations.assign(count, Vec3::Zero());
   for (auto* memory :
        {&state.weft_bending, &state.warp_bending, &state.shear, &state.weft_tension, &state.warp_tension}) {
     memory->assign(count, PlayState{});

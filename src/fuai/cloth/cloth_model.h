@@ -61,6 +61,8 @@ struct ClothModel {
 struct ClothState {
   std::vector<Vec3> positions;   ///< [m] (slots); of dead slots: where they rest flat
   std::vector<Vec3> velocities;  ///< [m/s] (slots)
+  /// [m/s2] (slots): what a step of second order remembers of the one before; empty: nothing.
+  std::vector<Vec3> accelerations;
   /// Friction memory (slots each): of the weft and warp triples, of the cells, of the weft and warp edges.
   std::vector<PlayState> weft_bending, warp_bending, shear, weft_tension, warp_tension;
   /// What a solver carries from one step to the next beyond the above, so that a restored state goes on bit

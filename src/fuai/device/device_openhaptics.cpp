@@ -224,7 +224,7 @@ Vec3 DeviceOpenHaptics::wanted_force(double now, DeviceSample& sample) noexcept 
   }
   if (silent_ticks_ > 0 || !calibrated_) return Vec3::Zero();
   bool cut = false;
-  const Vec3 force = force_within(given.command, info_.peak_force, cut);
+  Vec3 force = force_within(given.command, info_.peak_force, cut);
   if (cut) sample.status |= kDeviceSaturated;
   return force;
 }

@@ -162,7 +162,7 @@ Vec3 ClothSimulation::clamp_force() const noexcept {
 
 std::uint64_t state_hash(const ClothState& state) noexcept {
   StateHash hash;
-  for (const auto* field : {&state.positions, &state.velocities})
+  for (const auto* field : {&state.positions, &state.velocities, &state.accelerations})
     for (const Vec3& v : *field) hash.add(v.data(), 3 * sizeof(double));
   for (const auto* memory :
        {&state.weft_bending, &state.warp_bending, &state.shear, &state.weft_tension, &state.warp_tension})

@@ -136,7 +136,7 @@ class Simulation : public ClothSimulation {
   }
 };
 
-/// Hash over positions, velocities and friction memory. Thread class: any.
+/// Hash over positions, velocities, accelerations and friction memory. Thread class: any.
 std::uint64_t state_hash(const ClothState& state) noexcept;
 
 /// Largest strain of a yarn edge that carries cloth [-]. Thread class: any.

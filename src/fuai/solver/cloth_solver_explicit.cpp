@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuai/solver/cloth_solver_explicit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -40,6 +41,7 @@ ClothSolverExplicit::ClothSolverExplicit(const ClothModel& model, const ClothMat
 void ClothSolverExplicit::restore(const ClothState& state) {
   state_ = state;
   state_.carried.clear();
+  std::ranges::fill(state_.accelerations, Vec3::Zero());  // known to the implicit steps only
   solver_.restore_holds(state.carried);
   for (const int slot : solver_.fixed_slots()) place(slot, state.positions[static_cast<std::size_t>(slot)]);
 }

@@ -95,6 +95,7 @@ ClothSolverPaper::ClothSolverPaper(const ClothModel& model, const ClothMaterial&
 void ClothSolverPaper::restore(const ClothState& state) {
   other_ = state;
   other_.carried.clear();
+  std::ranges::fill(other_.accelerations, Vec3::Zero());  // known to the implicit steps only
   attach({}, {});
   state_.positions = state.positions;
   for (std::size_t i = 0; i < lattice_.triples.size(); ++i)

@@ -241,7 +241,8 @@ EquilibriumReport find_cylinder_equilibrium(const ClothModel& model, const Cloth
     if (progress) progress("cantilever", share);
   }
   report.iterations = strip.evaluations();
-  for (Vec3& velocity : state.velocities) velocity.setZero();
+  for (auto* field : {&state.velocities, &state.accelerations})
+    for (Vec3& number : *field) number.setZero();
   state.carried.clear();
   return report;
 }

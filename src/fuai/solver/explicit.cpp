@@ -138,12 +138,7 @@ void SolverExplicit::prepare(const ClothModel& model, const ClothMaterial& mater
   groups_.assign(room.groups, {});
   hold_forces_.assign(room.groups, {});
   spring_count_ = group_count_ = 0;
-  before_.positions.assign(slots, Vec3::Zero());
-  before_.velocities.assign(slots, Vec3::Zero());
-  for (auto* memory : {&before_.weft_bending, &before_.warp_bending, &before_.shear, &before_.weft_tension,
-                       &before_.warp_tension}) {
-    memory->assign(slots, {});
-  }
+  before_ = make_cloth_state(model);  // room for any state of this cloth
   stable_substep_ = fuai::stable_substep(model, material);
   failed_steps_ = 0;
 }

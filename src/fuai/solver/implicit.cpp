@@ -33,6 +33,8 @@ void check_options(const ImplicitOptions& o) {
   require(o.iterations >= 1, "iterations must be 1 or more; 8 is usual");
   require(o.linearisations >= 1, "linearisations must be 1 or more; 2 is usual");
   require(o.relinearise > 0.0, "relinearise must be a positive part of a force; 0.1 is usual");
+  require(o.implicitness > 0.5 && o.implicitness <= 1.0,
+          "implicitness must be above 0.5, at most 1; 0.65 is usual, 1 is implicit Euler");
   require(o.reduction >= 0.0, "reduction must not be negative; 1e-6 is usual");
   require(o.tolerance >= 0.0, "tolerance must not be negative [N]; 0 is usual");
   require(o.noise_floor >= 0.0, "noise_floor must not be negative; 0.5 is usual");
@@ -69,14 +71,18 @@ void SolverImplicit<T>::set_options(const ImplicitOptions& options) {
 }
 
 template <class T>
-void SolverImplicit<T>::begin_step(double dt) noexcept {
-  const double drag = static_cast<double>(constants_.mass_drag);
+void SolverImplicit<T>::begin_step(double dt, double theta) noexcept {
+  theta_ = theta;
+  const double reach = theta * dt, damping = 1.0 + theta * reach * static_cast<double>(constants_.mass_drag);
   step_.dt = static_cast<T>(dt);
   step_.inverse_dt = static_cast<T>(1.0 / dt);
-  step_.inertia = static_cast<T>((1.0 + drag * dt) / (dt * dt));
-  step_.velocity_gain = static_cast<T>(dt / (1.0 + drag * dt));
+  step_.inertia = static_cast<T>(damping / (reach * reach));
+  step_.velocity_gain = static_cast<T>(dt / damping);
+  step_.past_dt = static_cast<T>((1.0 - theta) * reach);
+  step_.inverse_reach = static_cast<T>(1.0 / reach);
+  step_.past = static_cast<T>((1.0 - theta) / theta);
   for (int i = 0; i < 3; ++i) {
-    step_.gravity_dt[i] = static_cast<T>(dt * load_ * options_.gravity[i]);
+    step_.gravity_dt[i] = static_cast<T>(theta * reach * load_ * options_.gravity[i]);
     step_.wind_dt[i] = static_cast<T>(dt * options_.wind[i]);
   }
 }
@@ -99,8 +105,8 @@ void SolverImplicit<T>::finish_step(double dt) noexcept {
   fall_.cloth = run_.rows(kernels_->finish, constants_, step_);
   fall_.kinetic = fall_.weight_power = 0.0;
   for (int row = 0; row < grid_.rows; ++row) {
-    fall_.kinetic += grid_.partial_kinetic[row];
-    fall_.weight_power += grid_.partial_weight[row] / dt;
+    fall_.kinetic += grid_.partial_kinetic[row] / (theta_ * theta_);
+    fall_.weight_power += grid_.partial_weight[row] / (theta_ * theta_ * dt);
   }
   fall_.cloth -= holds_.power(grid_);
   fall_.known = true;
@@ -132,7 +138,8 @@ template <class T>
 bool SolverImplicit<T>::start_back(double dt, Guess guess, const Descent& descent,
                                    StepReport& report) noexcept {
   const double mass = static_cast<double>(constants_.areal_mass * constants_.h * constants_.h);
-  const double noise = mass > 0.0 ? dt * kNoiseMargin * force_noise() * std::sqrt(fall_.kinetic / mass) : 0.0;
+  const double speed = mass > 0.0 ? std::sqrt(std::max(fall_.kinetic, 0.0) / mass) : 0.0;
+  const double noise = dt * kNoiseMargin * force_noise() * speed;
   if (guess.fall_at_end >= 0.0 || guess.rise(dt) <= descent.fall + noise) return false;
   run_.rows(kernels_->replace, T(0));
   evaluate(Evaluation::kForce);
@@ -225,7 +232,7 @@ void SolverImplicit<T>::give_up() noexcept {
   copy(grid_.xn.x, grid_.x.x);
   copy(grid_.xn.y, grid_.x.y);
   copy(grid_.xn.z, grid_.x.z);
-  for (const Field3<T>& field : {grid_.v, grid_.force}) {
+  for (const Field3<T>& field : {grid_.v, grid_.a, grid_.force}) {
     for (T* numbers : {field.x, field.y, field.z}) std::fill(numbers + first, numbers + last, T(0));
   }
 }
@@ -244,7 +251,7 @@ StepReport SolverImplicit<T>::step(double dt) noexcept {
     report.status = StepReport::kNotFinite;
     return report;
   }
-  begin_step(dt);
+  begin_step(dt, dt <= kLongestSharpStep ? options_.implicitness : 1.0);
   const Guess guess = start(dt, report);
   const double before = run_.rows(kernels_->square);
   const double least =
@@ -276,7 +283,7 @@ StepReport SolverImplicit<T>::step(double dt) noexcept {
 template <class T>
 StepReport SolverImplicit<T>::descend(double dt, double largest_move) noexcept {
   StepReport report;
-  begin_step(dt);
+  begin_step(dt, 1.0);
   stand_still();
   evaluate(Evaluation::kLinearise);
   report.residual = std::sqrt(run_.rows(kernels_->square));
@@ -308,7 +315,7 @@ double SolverImplicit<T>::longest_square() const noexcept {
 
 template <class T>
 void SolverImplicit<T>::commit() noexcept {
-  begin_step(1.0);
+  begin_step(1.0, 1.0);
   stand_still();
   evaluate(Evaluation::kForce);
   run_.rows(kernels_->commit, constants_);
@@ -316,7 +323,7 @@ void SolverImplicit<T>::commit() noexcept {
 
 template <class T>
 double SolverImplicit<T>::out_of_balance() noexcept {
-  begin_step(1.0);
+  begin_step(1.0, 1.0);
   stand_still();
   evaluate(Evaluation::kForce);
   return std::sqrt(run_.rows(kernels_->square));
@@ -367,7 +374,7 @@ void SolverImplicit<T>::restore(const ClothState& state) {
   time_ = state.time;
   // The strains of the edges, for their viscosity: the memory does not move, for it fits the positions
   // already.
-  begin_step(1.0);
+  begin_step(1.0, 1.0);
   evaluate(Evaluation::kForce);
   const auto first = grid_.at(0), last = grid_.at(grid_.rows);
   std::copy(grid_.strain[3] + first, grid_.strain[3] + last, grid_.weft_strain_n + first);

@@ -37,7 +37,9 @@ struct ImplicitOptions {
   double noise_floor = 0.5;  ///< no further linearisation once the force out of balance is below this part of
                              ///< what rounding of positions makes of it; 1 costs the bending force 0.4 % in
                              ///< float, smaller only costs time, 0 never stops
-  double reduction = 1e-6;   ///< conjugate gradients stop at this part of the first residual
+  double implicitness =
+      0.65;                 ///< theta of steps up to kLongestSharpStep, 0.5 < theta <= 1; longer ones take 1
+  double reduction = 1e-6;  ///< conjugate gradients stop at this part of the first residual
   double tolerance =
       0.0;  ///< stop when the force out of balance is below this, root of the sum of squares [N]
   Preconditioner preconditioner = Preconditioner::kYarnLines;
@@ -45,6 +47,10 @@ struct ImplicitOptions {
   Vec3 gravity = {0.0, 0.0, -kStandardGravity};  ///< [m/s2]
   Vec3 wind = Vec3::Zero();                      ///< velocity of the air [m/s]
 };
+
+/// Longer steps are those of implicit Euler, whatever the implicitness: their damping is what keeps them calm
+/// [s].
+inline constexpr double kLongestSharpStep = 1.5e-3;
 
 /// What a step did.
 struct StepReport {
@@ -121,7 +127,7 @@ class SolverImplicit {
   struct Fall {
     bool known = false;
     double cloth = 0.0;         // (force of the cloth).v [W]
-    double kinetic = 0.0;       // m v.v [J]
+    double kinetic = 0.0;       // m v.(v + past_dt a) / theta^2 [J]
     double weight_power = 0.0;  // m g.v [W]
   };
   /// The first guess of a step: how fast the potential falls along v at xn and at the guess [W].
@@ -134,7 +140,7 @@ class SolverImplicit {
   struct Descent {
     double length = 1.0, fall = 0.0, square = 0.0;
   };
-  void begin_step(double dt) noexcept;
+  void begin_step(double dt, double theta) noexcept;
   void evaluate(Evaluation what) noexcept;
   Guess start(double dt, StepReport& report) noexcept;
   bool start_back(double dt, Guess guess, const Descent& descent, StepReport& report) noexcept;
@@ -165,6 +171,7 @@ class SolverImplicit {
   double size_ = 0.0;          // diagonal of the flat piece [m]
   double mobile_count_ = 0.0;  // nodes
   double time_ = 0.0, load_ = 1.0;
+  double theta_ = 1.0;  // of the step at hand
 };
 
 extern template class SolverImplicit<float>;

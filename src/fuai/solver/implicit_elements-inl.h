@@ -210,8 +210,9 @@ HWY_INLINE Lane3<T> outer_force(const ImplicitGrid<T>& g, const ImplicitConstant
                                 const Lane3<T>& n, bool linearise) {
   const Lane<T> zero = hn::Zero(Tag<T>());
   const Lane3<T> xn = load3(g.xn, p), v = load3(g.v, p);
-  const Lane3<T> push = {hn::Add(v.x, set(s.gravity_dt[0])), hn::Add(v.y, set(s.gravity_dt[1])),
-                         hn::Add(v.z, set(s.gravity_dt[2]))};
+  const Lane3<T> w = mul_add(set(s.past_dt), load3(g.a, p), v);
+  const Lane3<T> push = {hn::Add(w.x, set(s.gravity_dt[0])), hn::Add(w.y, set(s.gravity_dt[1])),
+                         hn::Add(w.z, set(s.gravity_dt[2]))};
   const Lane3<T> moved = sub(x, xn);
   const Lane<T> area = load(g.node_area + p);
   const Lane<T> inertia = hn::Mul(hn::Max(area, zero), set(k.areal_mass * s.inertia));

@@ -43,9 +43,12 @@ struct ImplicitConstants {
 template <class T>
 struct ImplicitStepConstants {
   T dt = 0, inverse_dt = 0;
-  T inertia = 0;         ///< (1 + c dt) / dt^2 [1/s2]
-  T velocity_gain = 0;   ///< dt / (1 + c dt): y = xn + this * (v + dt g) [s]
-  T gravity_dt[3] = {};  ///< dt g [m/s]
+  T inertia = 0;         ///< (1 + c theta^2 dt) / (theta dt)^2 [1/s2]
+  T velocity_gain = 0;   ///< dt / (1 + c theta^2 dt): y = xn + this * (v + past_dt a + theta^2 dt g) [s]
+  T gravity_dt[3] = {};  ///< theta^2 dt g [m/s]
+  T past_dt = 0;         ///< theta (1 - theta) dt: for how long the last acceleration goes on [s]
+  T inverse_reach = 0;   ///< 1 / (theta dt) [1/s]
+  T past = 0;            ///< (1 - theta) / theta
   T wind_dt[3] = {};     ///< dt times the velocity of the air [m]
 };
 
@@ -87,7 +90,7 @@ struct ImplicitGrid {
   T* weft_curve = nullptr;  ///< 2 / bend length [1/m]
   T* warp_curve = nullptr;
   // State.
-  Field3<T> x, v;
+  Field3<T> x, v, a;           ///< positions, velocities, accelerations
   T* weft_strain_n = nullptr;  ///< strains at the start of the step, for viscosity
   T* warp_strain_n = nullptr;
   T* memory_weft_bending[kMaxPlays] = {};

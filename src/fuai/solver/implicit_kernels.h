@@ -51,7 +51,7 @@ struct ImplicitKernels {
   void (*replace)(const Grid&, T scale, int begin, int end);
   /// d *= scale.
   void (*scale_d)(const Grid&, T scale, int begin, int end);
-  /// v = 0.
+  /// v = a = 0.
   void (*stop)(const Grid&, int begin, int end);
   /// x += scale d.
   void (*move)(const Grid&, T scale, int begin, int end);
@@ -62,8 +62,8 @@ struct ImplicitKernels {
   void (*length_d)(const Grid&, int begin, int end);
   /// partial = force.force over mobile nodes.
   void (*square)(const Grid&, int begin, int end);
-  /// v = (x - xn) / dt, xn = x; over mobile nodes partial = (force of the cloth).v without inertia and
-  /// weight, partial_kinetic = m v.v, partial_weight = dt m g.v.
+  /// v and a at x, xn = x; over mobile nodes partial = (force of the cloth).v without inertia and weight,
+  /// partial_kinetic = m v.(v + past_dt a), partial_weight = theta^2 dt m g.v.
   void (*finish)(const Grid&, const ImplicitConstants<T>&, const ImplicitStepConstants<T>&, int begin,
                  int end);
   /// Numbers of scratch that solve_weft needs.

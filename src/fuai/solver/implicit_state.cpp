@@ -24,6 +24,7 @@ void load_state(const ClothState& state, const ImplicitConstants<T>& constants, 
     const std::ptrdiff_t p = g.slot_index(slot);
     put(g.x, p, state.positions[i]);
     put(g.v, p, state.velocities[i]);
+    put(g.a, p, state.accelerations.empty() ? Vec3::Zero() : state.accelerations[i]);
     each_law(g, constants, state, [&](const auto& law, T* const* to, const std::vector<PlayState>& from) {
       for (int j = 0; j < law.plays; ++j)
         to[j][p] = static_cast<T>(from[i].position[static_cast<std::size_t>(j)]);
@@ -36,6 +37,7 @@ void store_state(const ImplicitGrid<T>& g, const ImplicitConstants<T>& constants
   const auto count = static_cast<std::size_t>(g.rows) * static_cast<std::size_t>(g.columns);
   state.positions.resize(count);
   state.velocities.resize(count);
+  state.accelerations.resize(count);
   each_law(g, constants, state,
            [&](const auto&, T* const*, std::vector<PlayState>& to) { to.resize(count); });
   for (int slot = 0; slot < g.rows * g.columns; ++slot) {
@@ -43,6 +45,7 @@ void store_state(const ImplicitGrid<T>& g, const ImplicitConstants<T>& constants
     const std::ptrdiff_t p = g.slot_index(slot);
     state.positions[i] = vector_at(g.x, p);
     state.velocities[i] = vector_at(g.v, p);
+    state.accelerations[i] = vector_at(g.a, p);
     each_law(g, constants, state, [&](const auto& law, T* const* from, std::vector<PlayState>& to) {
       for (int j = 0; j < law.plays; ++j)
         to[i].position[static_cast<std::size_t>(j)] = static_cast<double>(from[j][p]);

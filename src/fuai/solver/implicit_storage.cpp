@@ -34,10 +34,12 @@ void ImplicitStorage<T>::lay_out(const ClothMaterial& material) {
     to.y = take(field);
     to.z = take(field);
   };
-  for (T** to : {&g.node_area, &g.cell_area, &g.twist_area, &g.weft_edge, &g.warp_edge, &g.weft_bend,
+  for (T** to : {&g.node_area, &g.cell_area, &g.weft_edge, &g.warp_edge, &g.weft_bend,
                  &g.warp_bend, &g.weft_curve, &g.warp_curve, &g.weft_strain_n, &g.warp_strain_n})
     one(*to);
-  for (Field3<T>* to : {&g.x, &g.v, &g.xn, &g.force, &g.d, &g.p, &g.q}) three(*to);
+  g.twist_area = g.cell_area;  // without twist any area will do: it is multiplied by zero
+  if (constants_.twist != T(0)) one(g.twist_area);
+  for (Field3<T>* to : {&g.x, &g.v, &g.a, &g.xn, &g.force, &g.d, &g.p, &g.q}) three(*to);
   const auto memory = [&](T** to, const LawTableView<T>& law) {
     for (int j = 0; j < law.plays; ++j) to[j] = take(field);
   };
@@ -96,7 +98,7 @@ void ImplicitStorage<T>::fill_arrays(const ClothModel& model) {
       const bool mobile = model.live[i] != 0 && model.fixed[i] == 0;
       g.node_area[p] = static_cast<T>(mobile ? model.node_area[i] : -model.node_area[i]);
       g.cell_area[p] = static_cast<T>(model.cell_area[i]);
-      g.twist_area[p] = static_cast<T>(model.twist_area[i]);
+      if (g.twist_area != g.cell_area) g.twist_area[p] = static_cast<T>(model.twist_area[i]);
       g.weft_edge[p] = static_cast<T>(model.weft_edge_area[i]);
       g.warp_edge[p] = static_cast<T>(model.warp_edge_area[i]);
       g.weft_bend[p] = static_cast<T>(model.weft_bend_area[i]);

@@ -78,7 +78,10 @@ void scale_d_rows(const ImplicitGrid<T>& g, T s, int begin, int end) {
 
 template <class T>
 void stop_rows(const ImplicitGrid<T>& g, int begin, int end) {
-  each(g, begin, end, [&](std::ptrdiff_t p) HWY_ATTR { store3(zero3<T>(), g.v, p); });
+  each(g, begin, end, [&](std::ptrdiff_t p) HWY_ATTR {
+    store3(zero3<T>(), g.v, p);
+    store3(zero3<T>(), g.a, p);
+  });
 }
 
 template <class T>
@@ -123,16 +126,23 @@ void finish_rows(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, const 
     Lane<T> inner = zero, kinetic = zero, weight = zero;
     each(g, row, row + 1, [&](std::ptrdiff_t p) HWY_ATTR {
       const Lane3<T> x = load3(g.x, p), moved = sub(x, load3(g.xn, p));
-      const Lane3<T> v = scale(set(s.inverse_dt), moved);
+      const Lane3<T> v0 = load3(g.v, p), a0 = load3(g.a, p), w = mul_add(set(s.past_dt), a0, v0);
+      // What is held goes as it is moved: it has no acceleration of its own to remember.
+      const Lane<T> free = mobile(g, p);
+      const Lane<T> rate = hn::IfThenElse(hn::Gt(free, zero), set(s.inverse_reach), set(s.inverse_dt));
+      const Lane<T> past = hn::Mul(free, set(s.past));
+      const Lane3<T> v = sub(scale(rate, moved), scale(past, v0));
+      const Lane3<T> a = scale(free, sub(scale(rate, sub(v, v0)), scale(past, a0)));
       const Lane<T> mass = hn::Mul(hn::Max(load(g.node_area + p), zero), set(k.areal_mass));
       // The force without inertia and weight: what the cloth itself does.
-      const Lane3<T> push = sub(scale(set(s.velocity_gain), add(load3(g.v, p), gravity_dt)), moved);
+      const Lane3<T> push = sub(scale(set(s.velocity_gain), add(w, gravity_dt)), moved);
       const Lane3<T> force =
           neg_mul_add(hn::Mul(mass, set(s.inertia)), push, scale(mobile(g, p), load3(g.force, p)));
       inner = add_dot<T>(force, v, inner);
-      kinetic = add_dot<T>(scale(mass, v), v, kinetic);
+      kinetic = add_dot<T>(scale(mass, v), mul_add(set(s.past_dt), a, v), kinetic);
       weight = add_dot<T>(scale(mass, v), gravity_dt, weight);
       store3(v, g.v, p);
+      store3(a, g.a, p);
       store3(x, g.xn, p);
     });
     g.partial[row] = sum_of_lanes<T>(inner);

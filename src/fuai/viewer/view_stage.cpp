@@ -193,7 +193,9 @@ void ViewStage::take_shape_of(const ViewStage& other) {
     any = true;
     ClothState& state = each_[c].scratch;  // sized for this cloth already
     other.simulation(from).snapshot(state);
-    state.carried.clear();  // known of the old material only
+    // Known of the old material only.
+    state.carried.clear();
+    std::ranges::fill(state.accelerations, Vec3::Zero());
     simulation(c).restore(state);
     each_[c].holds = other.each_[from].holds;
     for (int i = 0; i < static_cast<int>(kMostViewHands + kMostHands); ++i) {

@@ -57,14 +57,14 @@ struct LoopPair {
   TextId name;
 };
 
-std::vector<LoopPair> pairs_of(const FabricLaws& laws, LoopKind kind) {
+std::vector<LoopPair> pairs_of(const FabricLaws& laws, PlottedLoop kind) {
   switch (kind) {
-    case LoopKind::kBending:
+    case PlottedLoop::kBending:
       return {{laws.bending.data(), &ClothProbe::warp_bending, Direction::kWarp, TextId::kWarp},
               {&laws.bending[1], &ClothProbe::weft_bending, Direction::kWeft, TextId::kWeft}};
-    case LoopKind::kShear:
+    case PlottedLoop::kShear:
       return {{&laws.shear, &ClothProbe::shear, Direction::kBias, TextId::kShear}};
-    case LoopKind::kTension:
+    case PlottedLoop::kTension:
       break;
   }
   return {{laws.tensile.data(), &ClothProbe::warp_tension, Direction::kWarp, TextId::kWarp},
@@ -72,10 +72,10 @@ std::vector<LoopPair> pairs_of(const FabricLaws& laws, LoopKind kind) {
 }
 
 /// The steady loop of a law over the range of its instrument; of a tensile law a pull from rest and back.
-SteadyLoop instrument_loop(const PlayLaw& law, LoopKind kind) {
+SteadyLoop instrument_loop(const PlayLaw& law, PlottedLoop kind) {
   constexpr int kSamples = 41;
-  if (kind == LoopKind::kBending) return steady_loop(law, kKesBendingRange, kSamples);
-  if (kind == LoopKind::kShear) return steady_loop(law, kes_shear_range(), kSamples);
+  if (kind == PlottedLoop::kBending) return steady_loop(law, kKesBendingRange, kSamples);
+  if (kind == PlottedLoop::kShear) return steady_loop(law, kes_shear_range(), kSamples);
   SteadyLoop loop;
   PlayState memory;
   const double end = law.elastic().high();
@@ -87,14 +87,14 @@ SteadyLoop instrument_loop(const PlayLaw& law, LoopKind kind) {
   return loop;
 }
 
-Plot loop_plot(const ViewerState& state, std::size_t cloth, LoopKind kind) {
+Plot loop_plot(const ViewerState& state, std::size_t cloth, PlottedLoop kind) {
   const LoopAxes axes = loop_axes(kind, state.settings.units);
   constexpr TextId kTitles[] = {TextId::kBending, TextId::kShear, TextId::kTension};
   Plot plot;
   plot.title = state.text(kTitles[static_cast<std::size_t>(kind)]);
   plot.x_label = state.text(axes.strain);
   plot.y_label = state.text(axes.stress);
-  plot.legend = kind != LoopKind::kShear;
+  plot.legend = kind != PlottedLoop::kShear;
   for (const LoopPair& pair : pairs_of(state.laws[cloth], kind)) {
     const SteadyLoop loop = instrument_loop(*pair.law, kind);
     Series law;
@@ -149,7 +149,7 @@ void draw_plots_panel(ViewerState& state) {
     const std::size_t cloth =
         state.hands.last() < 0 ? 0 : state.hands.hand(static_cast<std::size_t>(state.hands.last())).cloth;
     if (cloth < state.laws.size()) {
-      for (const LoopKind kind : {LoopKind::kBending, LoopKind::kShear, LoopKind::kTension}) {
+      for (const PlottedLoop kind : {PlottedLoop::kBending, PlottedLoop::kShear, PlottedLoop::kTension}) {
         ImGui::PushID(static_cast<int>(kind));
         draw_plot(loop_plot(state, cloth, kind), widget);
         ImGui::PopID();

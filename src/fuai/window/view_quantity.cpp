@@ -38,18 +38,18 @@ static_assert(std::size(kQuantities) == kClothFieldCount);
 
 std::span<const ViewQuantity> view_quantities() { return kQuantities; }
 
-LoopAxes loop_axes(LoopKind kind, UnitSystem system) {
+LoopAxes loop_axes(PlottedLoop kind, UnitSystem system) {
   const bool kes = system == UnitSystem::kKes;
   switch (kind) {
-    case LoopKind::kBending:
+    case PlottedLoop::kBending:
       return {kes ? TextId::kAxisCurvatureKes : TextId::kAxisCurvatureSi,
               kes ? TextId::kAxisMomentKes : TextId::kAxisMomentSi,
               (kes ? kCurvatureKes : kCurvatureSi).to_si, (kes ? kMomentKes : kMomentSi).to_si};
-    case LoopKind::kShear:
+    case PlottedLoop::kShear:
       return {kes ? TextId::kAxisAngleKes : TextId::kAxisAngleSi,
               kes ? TextId::kAxisShearKes : TextId::kAxisShearSi, (kes ? kAngleKes : kAngleSi).to_si,
               (kes ? kStressKes : kStressSi).to_si};
-    case LoopKind::kTension:
+    case PlottedLoop::kTension:
       break;
   }
   return {kes ? TextId::kAxisStrainKes : TextId::kAxisStrainSi,

@@ -35,7 +35,7 @@ struct LoopAxes {
   TextId strain, stress;
   double strain_to_si, stress_to_si;
 };
-enum class LoopKind : std::uint8_t { kBending, kShear, kTension };
-LoopAxes loop_axes(LoopKind kind, UnitSystem system);
+enum class PlottedLoop : std::uint8_t { kBending, kShear, kTension };
+LoopAxes loop_axes(PlottedLoop kind, UnitSystem system);
 
 }  // namespace fuai
