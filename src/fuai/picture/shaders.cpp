@@ -174,7 +174,9 @@ vec4 yarn_relief(vec3 n, bool front) {
   vec3 weft = (a * place_x.x + b * place_y.x) / area, warp = (a * place_x.y + b * place_y.y) / area;
   // Height of a yarn in parts of its pitch: what keeps tilts below 0.85.
   float relief = structure == 3 ? 0.06 : 0.19;
-  return seen * vec4(-relief * (yarn.y * weft + yarn.z * warp), yarn.x);
+  vec3 tilt = -relief * (yarn.y * weft + yarn.z * warp);
+  // Only cloth that is pressed together, as a picture of a failed step may show, has steeper yarns.
+  return seen * vec4(tilt * min(1.0, 0.85 / max(length(tilt), 1e-6)), yarn.x);
 }
 
 // A light's cosine with the tilt of the yarns: its mean over the yarns is that without them, because no yarn
@@ -189,7 +191,8 @@ float light_on(vec3 n, float soft, vec3 to_eye, vec4 yarns) {
   if (key > 0.0) key = tilted(key, dot(yarns.xyz, key_direction)) * key_visibility(world + key_offset * n);
   float fill = max(dot(n, fill_direction), 0.0);
   fill = tilted(fill, dot(yarns.xyz, fill_direction)) * soft;
-  float sheen = pow(1.0 - max(dot(n, to_eye), 0.0), 3.0) * soft;
+  // Rounding makes the cosine more than 1 at times, and a power of less than nothing a black pixel.
+  float sheen = pow(clamp(1.0 - dot(n, to_eye), 0.0, 1.0), 3.0) * soft;
   return 0.60 * key + 0.16 * fill + 0.40 * soft + 0.06 * sheen;
 }
 
