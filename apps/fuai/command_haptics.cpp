@@ -16,6 +16,7 @@
 #include "fuai/core/hash.h"
 #include "fuai/device/registry.h"
 #include "fuai/haptics/force_error.h"
+#include "fuai/haptics/hand_rules.h"
 #include "fuai/haptics/virtual_session.h"
 #include "fuai/io/text_file.h"
 #include "scene_options.h"
@@ -40,8 +41,6 @@ struct RunOptions {
   bool no_reference = false, no_controller = false, virtual_time = false;
 };
 
-/// A hand of flesh grips cloth that is no farther from the tool [m]: two fingertips.
-constexpr double kReach = 0.02;
 constexpr const char* kRecordHead =
     "time_s,dt_s,device_x_m,device_y_m,device_z_m,tool_x_m,tool_y_m,tool_z_m,force_x_N,force_y_N,force_z_N,"
     "model_force_x_N,model_force_y_N,model_force_z_N,energy_J,model,model_age_s,gain,status\n";
@@ -218,7 +217,7 @@ FeltPlan make_plan(const RunOptions& options, const EngineScene& scene) {
   setup.device = info_of(options);
   setup.device.rate = 1.0 / kTick;
   // A hand of flesh takes the cloth where it is; a simulated one goes the scene's way with the scene's patch.
-  if (!is_simulated(options.device)) setup.reach = kReach;
+  if (!is_simulated(options.device)) setup.reach = kHandReach;
   fit_plan(plan, scene);
   return plan;
 }

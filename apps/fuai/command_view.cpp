@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "fuai/core/error.h"
 #include "fuai/core/hash.h"
+#include "fuai/device/registry.h"
 #include "fuai/viewer/view_session.h"
 #include "fuai/window/kept_settings.h"
 #include "fuai/window/viewer.h"
@@ -26,11 +27,12 @@ struct ViewOptions {
   std::string spacing;  ///< with unit; empty: the scene's own
   std::string seconds;  ///< with unit; empty: until it is closed
   std::string screenshot, record, folder = ".";
+  std::string device = "mouse";
   std::string language, theme, units, heat_map;
   int width = 1280, height = 720;
   std::string texture, texture_width = "10cm";
   int zoom = 1;
-  bool headless = false, moves = false, bare = false, weave = false, no_weave = false;
+  bool headless = false, moves = false, bare = false, weave = false, no_weave = false, rumble = false;
 };
 
 /// The first bundled fabric that a newcomer sees: measured in bending and tension, of middling weight.
@@ -81,6 +83,7 @@ void take_kept_settings(const Console& console, const ViewOptions& options, View
 
 int run_view(const Console& console, const ViewOptions& options) {
   named_scene(options.scene);
+  find_device_driver(options.device.substr(0, options.device.find(':')));
   ViewerOptions viewer;
   viewer.scene = options.scene;
   viewer.fabrics = options.fabrics.empty() ? std::vector<std::string>{kFirstFabric} : options.fabrics;
@@ -101,6 +104,8 @@ int run_view(const Console& console, const ViewOptions& options) {
       throw Error(ErrorKind::kUsage, "--seconds: '" + options.seconds + "' is not above zero", {},
                   "take e.g. 2s, or leave it out");
   }
+  viewer.device = options.device;
+  viewer.rumble = options.rumble;
   viewer.screenshot = options.screenshot;
   viewer.record = options.record;
   viewer.folder = options.folder;
@@ -122,6 +127,10 @@ int run_view(const Console& console, const ViewOptions& options) {
       .set("paint_ms", result.paint_ms)
       .set("renderer", result.renderer)
       .set("state_hash", hash_text(result.state_hash));
+  if (!result.device.empty())
+    json.set("device", result.device)
+        .set("overruns", static_cast<std::int64_t>(result.overruns))
+        .set("device_force_peak_N", result.device_force);
   if (!options.screenshot.empty()) {
     json.set("file", options.screenshot);
     console.say("wrote " + options.screenshot);
@@ -141,6 +150,10 @@ void declare_view(const Command& parent) {
   command.option("--scene", options->scene, "A name that `fuai scenes` lists");
   declare_size(command, options->size, options->spacing);
   command.flag("--moves", options->moves, "The scene's own hands and pins move");
+  command.option(
+      "--device", options->device,
+      "Driver, or driver:model, as `fuai haptics devices --diagnose` lists them: a hand beside the mouse");
+  command.flag("--rumble", options->rumble, "A gamepad rumbles with the force on your hand");
   command.option("--language", options->language, "en or ja").among({"en", "ja"});
   command.option("--theme", options->theme, "dark or light").among({"dark", "light"});
   command.option("--units", options->units, "kes or si").among({"kes", "si"});
@@ -161,6 +174,7 @@ void declare_view(const Command& parent) {
   command.option("--height", options->height, "Pixels").range(kLeastPixels, kMostPixels);
   command.flag("--headless", options->headless, "Without a window, for scripts");
   command.examples({"fuai view", "fuai view wool-tropical graded-10 --scene corner_drape",
+                    "fuai view --device simulated:touch",
                     "fuai view cupro-woven-su1098 --headless --seconds 2s --screenshot cloth.png"});
   command.body([options](const Console& console) { return run_view(console, *options); });
 }

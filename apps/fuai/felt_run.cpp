@@ -8,6 +8,7 @@
 
 #include "fuai/core/error.h"
 #include "fuai/device/registry.h"
+#include "fuai/haptics/hand_rules.h"
 #include "fuai/runtime/interrupt.h"
 
 namespace fuai_app {
@@ -15,9 +16,6 @@ namespace fuai_app {
 using namespace fuai;
 
 namespace {
-
-/// Part of the device's workspace that the hand's way is to fill.
-constexpr double kFill = 0.8;
 
 /// The way of a scene's hand, from where it begins [m] (ticks), after a rest.
 std::vector<Vec3> hand_way(const EngineScene& scene, std::size_t hand, std::int64_t ticks) {
@@ -30,8 +28,7 @@ std::vector<Vec3> hand_way(const EngineScene& scene, std::size_t hand, std::int6
   return way;
 }
 
-/// Centre of a way, and metres of it to a metre of the device so that it fits; at least 1: nobody wants a
-/// small motion of the hand made smaller.
+/// Centre of a way, and its fitting_scale().
 struct Fit {
   Vec3 middle = Vec3::Zero();
   double scale = 1.0;
@@ -42,8 +39,7 @@ Fit fit_way(const std::vector<Vec3>& way, const DeviceInfo& info) {
     low = low.cwiseMin(place);
     high = high.cwiseMax(place);
   }
-  const Vec3 room = kFill * (info.workspace_high - info.workspace_low);
-  return {0.5 * (low + high), std::max(1.0, (high - low).cwiseQuotient(room).maxCoeff())};
+  return {0.5 * (low + high), fitting_scale(high - low, info)};
 }
 
 /// Devices, hands and paths of a run.
@@ -80,7 +76,7 @@ class Holds final : public HoldRule {
       case HoldBy::kAlways:
         return true;
       case HoldBy::kButton:
-        return last.buttons != 0 || last.pinch > 0.5;
+        return wants_to_hold(last);
     }
     return false;
   }
@@ -176,8 +172,7 @@ void fit_plan(FeltPlan& plan, const EngineScene& scene) {
         is_simulated(plan.device) ? plan.ways[hand].front()
                                   : Vec3(0.5 * (setup.device.workspace_low + setup.device.workspace_high)));
   }
-  // The hold is the coupling: felt gain times scale stiffer than it is, and the device must render that.
-  setup.hold_stiffness = setup.device.stable_stiffness / (setup.force_gain * setup.scale);
+  setup.hold_stiffness = most_hold_stiffness(setup.device, setup.scale, setup.force_gain);
 }
 
 FeltResult run_felt(const Console& console, const EngineScene& scene, const FeltPlan& plan,

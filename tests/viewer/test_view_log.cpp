@@ -229,7 +229,8 @@ TEST_SUITE("unit") {
                                        {"3 grab 1", "3 grab 16", "out of range", 8},
                                        {"0.03 0.009\n", "0.03\n", "too short", 8},
                                        {"0.03 0.009\n", "nan 0.009\n", "out of range", 8},
-                                       {"0.03 0.009\n", "0.03 0.009 1\n", "goes on with '1'", 8}}) {
+                                       {"0.03 0.009\n", "0.03 0.009 0\n", "out of range", 8},
+                                       {"0.03 0.009\n", "0.03 0.009 1 2\n", "goes on with '2'", 8}}) {
       CAPTURE(std::string(b.message));
       const std::string message = refusal(replaced(good, b.old, b.by));
       CHECK(message.find(b.message) != std::string::npos);

@@ -190,6 +190,40 @@ class WithoutDisplay(unittest.TestCase):
             self.assertGreater(a.stat().st_size, 5000)
             self.assertEqual(json.loads(runs[0].stdout)["seconds"], 0.1)
 
+    def test_a_simulated_device_holds_the_cloth_and_its_recording_replays(self):
+        with tempfile.TemporaryDirectory() as folder:
+            words = ["wool-tropical", "--size", "9", "--spacing", "2cm", "--headless", "--seconds", "2s", "--device",
+                     "simulated:touch", "--record"]
+            runs = [self.run_program(*words, f"{folder}/{name}.fuai-view") for name in "ab"]
+            self.assertEqual([r.returncode for r in runs], [0, 0], runs[0].stderr)
+            results = [json.loads(r.stdout) for r in runs]
+            self.assertEqual(results[0]["state_hash"], results[1]["state_hash"])
+            self.assertEqual((results[0]["device"], results[0]["overruns"]), ("3D Systems Touch", 0))
+            self.assertGreater(results[0]["device_force_peak_N"], 0.0)
+            self.assertLessEqual(results[0]["device_force_peak_N"], 3.3)  # what a Touch gives
+            text = pathlib.Path(f"{folder}/a.fuai-view").read_text(encoding="utf-8")
+            self.assertIn(" grab 15 ", text)
+            replay = subprocess.run([PROGRAM, "--json", "replay", f"{folder}/a.fuai-view"], capture_output=True,
+                                    text=True)
+            self.assertTrue(json.loads(replay.stdout)["matches"])
+
+    def test_a_device_that_is_not_there_is_told_and_the_mouse_goes_on(self):
+        run = self.run_program("wool-tropical", "--size", "9", "--headless", "--seconds", "0.1s", "--device",
+                               "gamepad:/nosuch/js0")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual(len(run.stderr.splitlines()), 1, run.stderr)
+        self.assertIn("/nosuch/js0", run.stderr)
+        self.assertIn("the mouse goes on", run.stderr)
+        self.assertNotIn("device", json.loads(run.stdout))
+
+    def test_a_real_device_is_refused_in_computed_time(self):
+        with tempfile.TemporaryDirectory() as folder:
+            node = f"{folder}/js0"
+            os.mkfifo(node)  # opens as a gamepad's node does
+            run = self.run_program("--headless", "--seconds", "0.1s", "--device", "gamepad:" + node)
+        self.assertEqual(run.returncode, 2, run.stderr)
+        self.assertIn("real time", run.stderr)
+
     def test_a_picture_on_the_cloth_that_is_none_is_one_line_and_the_program_goes_on(self):
         with tempfile.TemporaryDirectory() as folder:
             small = ["wool-tropical", "--size", "9", "--headless", "--seconds", "0.02s", "--width", "480", "--height",
@@ -223,6 +257,7 @@ class WithoutDisplay(unittest.TestCase):
                 (["--weave", "--no-weave", "--headless", "--seconds", "0.1s"], 2, "exclude each other"),
                 (["--texture-width", "0mm", "--headless", "--seconds", "0.1s"], 2, "take 1mm to 10m"),
                 (["a", "b", "c", "d", "e", "--headless", "--seconds", "0.1s"], 2, "one to 4"),
+                (["--device", "nosuch", "--headless", "--seconds", "0.1s"], 2, "forcedimension"),
                 (["--headless", "--seconds", "0.1s", "--screenshot", "/nosuch/a.png"], 3, "/nosuch"),
         ]:
             run = self.run_program(*words)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "fuai/core/error.h"
 
@@ -13,6 +14,7 @@ ImplicitOptions make_felt_options(const ImplicitOptions& scene) {
   ImplicitOptions options = scene;
   options.linearisations = 8;
   options.relinearise = 0.002;
+  options.implicitness = kFeltImplicitness;
   return options;
 }
 
@@ -60,25 +62,6 @@ std::uint64_t ClothHand::state_hash() noexcept {
   return fuai::state_hash(state_);
 }
 
-bool ClothHand::choose_patch(Hand& hand, const Vec3& tool) noexcept {
-  const ClothModel& model = simulation_.model();
-  double least = options_.reach;
-  bool found = false;
-  for (int row = 0; row < model.rows; ++row) {
-    for (int column = 0; column < model.columns; ++column) {
-      const int slot = model.slot(column, row);
-      const auto i = static_cast<std::size_t>(slot);
-      if (model.live[i] == 0 || model.fixed[i] != 0) continue;
-      const double far = (simulation_.position(slot) - tool).norm();
-      if (!(far <= least)) continue;
-      least = far;
-      hand.grasp.centre = model.material(column, row);
-      found = true;
-    }
-  }
-  return found;
-}
-
 void ClothHand::grip(Hand& hand, const ToolPose& pose) noexcept {
   if (!pose.holds) {
     simulation_.release(hand.hold);
@@ -86,7 +69,11 @@ void ClothHand::grip(Hand& hand, const ToolPose& pose) noexcept {
     return;
   }
   if (hand.hold >= 0) return;
-  if (options_.reach > 0.0 && !choose_patch(hand, pose.position)) return;
+  if (options_.reach > 0.0) {
+    const std::optional<Vec2> near = simulation_.free_cloth_near(pose.position, options_.reach);
+    if (!near) return;
+    hand.grasp.centre = *near;
+  }
   hand.hold = simulation_.grasp(hand.grasp, pose.position);
   hand.tool = pose.position;
 }

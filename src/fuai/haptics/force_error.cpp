@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fuai/haptics/cloth_hand.h"
+
 namespace fuai {
 namespace {
 
 /// As far as double goes: a step ends where rounding leaves it.
 ImplicitOptions converged(const ImplicitOptions& options) {
   ImplicitOptions o = options;
+  o.implicitness = kFeltImplicitness;
   o.iterations = 300;
   o.linearisations = 12;
   o.relinearise = 1e-7;

@@ -38,6 +38,10 @@ void check(const ForcePathOptions& o) {
 ForcePathOptions make_force_path_options(const DeviceInfo& info) {
   ForcePathOptions options;
   options.safety = make_safety_options(info);
+  if (!(info.peak_force > 0.0)) {  // an input: nothing is given, so nothing can be too much
+    options.safety.continuous_force = SafetyOptions{}.continuous_force;
+    return options;
+  }
   options.passivity.mass = info.mass;
   options.stable_stiffness = info.stable_stiffness;
   return options;

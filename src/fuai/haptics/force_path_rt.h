@@ -36,7 +36,8 @@ struct ForcePathOptions {
   double blend = 0.004;              ///< time over which a new model takes over [s]; 0: at once
 };
 
-/// Options for a device: its limits, its mass, its stiffness. Thread class: set-up.
+/// Options for a device: its limits, its mass, its stiffness; of an input without force its
+/// workspace, and no force. Thread class: set-up.
 ForcePathOptions make_force_path_options(const DeviceInfo& info);
 
 /// What a tick was.

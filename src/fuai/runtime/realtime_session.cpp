@@ -56,6 +56,7 @@ std::uint64_t RealtimeSession::note_lateness(double lateness) noexcept {
   const double missed = std::floor(std::max(0.0, lateness) / options_.tick);
   const auto count = static_cast<std::uint64_t>(std::min(missed, 1e15));
   report_.overruns += count;
+  overruns_.store(report_.overruns, std::memory_order_relaxed);
   return count;
 }
 
@@ -130,7 +131,7 @@ RealtimeReport RealtimeSession::run(SessionClock& force_clock, SessionClock& clo
   std::string force_refused, cloth_refused;
   {
     std::jthread cloth([&] {
-      if (options_.claim) cloth_refused = claim_priority(kClothPriority);
+      if (options_.claim && options_.claim_cloth) cloth_refused = claim_priority(kClothPriority);
       run_cloth(cloth_clock);
     });
     // Whatever ends this block, the cloth's thread is told before it is waited for.

@@ -45,8 +45,9 @@ struct RealtimeOptions {
   /// Longest step of the cloth [s]: what it missed beyond that is not made up for, so that a stall does not
   /// end in one huge step.
   double longest_step = 0.1;
-  std::int64_t ticks = 0;  ///< 0: until it is told to stop
-  bool claim = true;       ///< ask the system for priority and locked memory
+  std::int64_t ticks = 0;   ///< 0: until it is told to stop
+  bool claim = true;        ///< ask the system for priority and locked memory
+  bool claim_cloth = true;  ///< priority for the cloth too, which may want a whole core of its own
 };
 
 /// How late ticks woke: from 0 on in octaves of a microsecond, <1, <2, <4 ... <2^(n-1), and the rest.
@@ -84,6 +85,8 @@ class RealtimeSession {
   /// Thread class: set-up.
   RealtimeReport run(SessionClock& force_clock, SessionClock& cloth_clock, const std::atomic<bool>& stop,
                      const std::function<void(std::int64_t)>& on_wait = {});
+  /// RealtimeReport::overruns so far. Thread class: any.
+  std::uint64_t overruns() const noexcept { return overruns_.load(std::memory_order_relaxed); }
 
  private:
   struct Poses {
@@ -104,6 +107,7 @@ class RealtimeSession {
   Mailbox<Poses> poses_;
   std::atomic<bool> cloth_ends_{false}, done_{false};
   std::atomic<std::int64_t> ticks_{0};
+  std::atomic<std::uint64_t> overruns_{0};
   // Of the force loop alone:
   Poses sent_;
   // Of the cloth alone:

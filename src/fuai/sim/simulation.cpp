@@ -101,6 +101,23 @@ const Grasp* ClothSimulation::held(int hold) const noexcept {
   return h.active ? &h.grasp : nullptr;
 }
 
+std::optional<Vec2> ClothSimulation::free_cloth_near(const Vec3& place, double reach) const noexcept {
+  double least = reach;
+  std::optional<Vec2> nearest;
+  for (int row = 0; row < model_->rows; ++row) {
+    for (int column = 0; column < model_->columns; ++column) {
+      const int slot = model_->slot(column, row);
+      const auto i = static_cast<std::size_t>(slot);
+      if (model_->live[i] == 0 || model_->fixed[i] != 0) continue;
+      const double far = (position(slot) - place).norm();
+      if (!(far <= least)) continue;
+      least = far;
+      nearest = model_->material(column, row);
+    }
+  }
+  return nearest;
+}
+
 int ClothSimulation::take_over(const Grasp& grasp) noexcept {
   for (int hold = 0; hold < static_cast<int>(holds_.size()); ++hold)
     if (take_over_as(hold, grasp)) return hold;

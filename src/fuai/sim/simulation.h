@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "fuai/sim/grasp.h"
@@ -79,6 +80,9 @@ class ClothSimulation {
   void release(int hold) noexcept;
   /// The hold itself, to be kept with a snapshot; null when it does not hold. Thread class: real-time.
   const Grasp* held(int hold) const noexcept;
+  /// The point of the material at the node that is nearest to a place and not fixed, if it is no farther than
+  /// `reach` [m]. @param place [m]. Thread class: real-time.
+  std::optional<Vec2> free_cloth_near(const Vec3& place, double reach) const noexcept;
   /// Goes on with a hold that was kept, after restore() of the state that was kept with it. @return number of
   /// the hold, or -1 when there is none left. Thread class: real-time.
   int take_over(const Grasp& grasp) noexcept;

@@ -34,8 +34,8 @@ void ImplicitStorage<T>::lay_out(const ClothMaterial& material) {
     to.y = take(field);
     to.z = take(field);
   };
-  for (T** to : {&g.node_area, &g.cell_area, &g.weft_edge, &g.warp_edge, &g.weft_bend,
-                 &g.warp_bend, &g.weft_curve, &g.warp_curve, &g.weft_strain_n, &g.warp_strain_n})
+  for (T** to : {&g.node_area, &g.cell_area, &g.weft_edge, &g.warp_edge, &g.weft_bend, &g.warp_bend,
+                 &g.weft_curve, &g.warp_curve, &g.weft_strain_n, &g.warp_strain_n})
     one(*to);
   g.twist_area = g.cell_area;  // without twist any area will do: it is multiplied by zero
   if (constants_.twist != T(0)) one(g.twist_area);

@@ -63,6 +63,7 @@ std::string event_text(const ViewEvent& event) {
   switch (c.kind) {
     case Kind::kGrab:
       text += hand + numbers({c.material.x(), c.material.y()}) + numbers(c.position) + numbers({c.radius});
+      if (c.stiffness != GraspSpec{}.stiffness) text += numbers({c.stiffness});
       break;
     case Kind::kMove:
       text += hand + numbers(c.position) + " " + std::to_string(c.ticks);

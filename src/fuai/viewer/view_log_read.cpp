@@ -118,7 +118,10 @@ ViewCommand read_command(Line& line, ViewCommand::Kind kind) {
     command.material = {weft, line.real()};
   }
   if (kind == Kind::kGrab || kind == Kind::kMove) command.position = line.vector();
-  if (kind == Kind::kGrab) command.radius = line.number(0.0, kMostPatchRadius);
+  if (kind == Kind::kGrab) {
+    command.radius = line.number(0.0, kMostPatchRadius);
+    if (!line.empty()) command.stiffness = line.number(kLeastHoldStiffness, kMostHoldStiffness);
+  }
   if (kind == Kind::kMove) command.ticks = static_cast<std::uint16_t>(line.number<int>(0, 0xffff));
   if (kind == Kind::kMotion) command.flag = line.flag();
   return command;

@@ -10,42 +10,18 @@
 #include "fuai/core/mailbox_rt.h"
 #include "fuai/core/spsc_queue_rt.h"
 #include "fuai/viewer/view_history.h"
+#include "fuai/viewer/view_orders.h"
 #include "fuai/viewer/view_stage.h"
 
 namespace fuai {
 namespace {
 
+using namespace view_orders;
+
 constexpr std::size_t kMostOrders = 4096, kMostNotes = std::size_t{1} << 14;
 constexpr int kStepsARound = 32;          ///< of a seek: the cloth's thread listens between
 constexpr double kEnergyPeriod_us = 1e5;  ///< energies are for reading, and cost as much as a step
 constexpr double kSnapshotPeriod_us = 1e6 * kSnapshotPeriod;
-
-/// From the screen to the cloth.
-struct Order {
-  enum class Kind : std::uint8_t { kCommand, kPlay, kSteps, kSeek };
-  Kind kind = Kind::kCommand;
-  ViewCommand command;
-  std::int64_t number = 0;  ///< kPlay: 0 or 1, kSteps: how many, kSeek: tick
-};
-
-/// From the cloth to the screen.
-struct Note {
-  bool is_rewind = false;
-  ViewEvent event;  ///< a rewind has a tick only
-};
-
-/// Cloths on their way in, and the old ones on their way out, for the screen's thread to free.
-struct Delivery {
-  std::unique_ptr<ViewStage> stage;
-  std::unique_ptr<ViewHistory> history;  ///< null: the old one has the right size
-  std::uint64_t build = 0;
-  bool keep_shape = false;
-  Delivery* next = nullptr;
-};
-
-void free_all(Delivery* delivery) noexcept {
-  while (delivery != nullptr) delete std::exchange(delivery, delivery->next);
-}
 
 double clock_us() noexcept {
   return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now().time_since_epoch())
@@ -94,6 +70,7 @@ struct ViewSession::Parts {
   double shown_at = -std::numeric_limits<double>::infinity(), energies_at = shown_at;
   double busy_us = 0.0;
   int busy_ticks = 0;
+  std::uint64_t disturbances = 0;
 
   void note(const ViewEvent& event, bool is_rewind = false) noexcept;
   void forget_newer() noexcept;
@@ -107,7 +84,7 @@ struct ViewSession::Parts {
   void start_seek(std::int64_t to);
   void go_on_seeking();
   void redo_events() noexcept;
-  bool advance();
+  bool advance(const DevicePose* device);
   void show(double wall_us);
   void fill_draft(bool energies);
 };
@@ -146,6 +123,7 @@ void ViewSession::Parts::begin_tick() {
 }
 
 void ViewSession::Parts::step() noexcept {
+  if (stage->is_driven()) ++disturbances;
   const double before = clock_us();
   stage->step(team);
   busy_us += clock_us() - before;
@@ -158,6 +136,7 @@ void ViewSession::Parts::adopt() {
   Delivery* delivery = incoming.exchange(nullptr, std::memory_order_acq_rel);
   if (delivery == nullptr) return;
   forget_newer();
+  ++disturbances;
   target = -1;
   if (delivery->keep_shape) delivery->stage->take_shape_of(*stage);
   stage.swap(delivery->stage);
@@ -208,6 +187,7 @@ void ViewSession::Parts::command(const ViewCommand& command) {
   if (!stage->makes_sense(command)) return;
   forget_newer();
   begin_tick();
+  if (command.hand != kDeviceHand) ++disturbances;  // commands of no hand have hand 0
   stage->apply(command);
   ViewEvent event;
   event.tick = tick;
@@ -221,6 +201,7 @@ void ViewSession::Parts::start_seek(std::int64_t to) {
   steps = 0;
   dirty = true;
   if (history->empty()) return;
+  ++disturbances;
   target = std::clamp(to, history->first_tick(), newest);
   // From a state before it, so that at least one step is done and forces are known; or from here, where that
   // is on the way.
@@ -250,7 +231,7 @@ void ViewSession::Parts::go_on_seeking() {
 }
 
 /// @return whether a new tick was done
-bool ViewSession::Parts::advance() {
+bool ViewSession::Parts::advance(const DevicePose* device) {
   if (!playing && steps == 0) return false;
   if (!playing) {
     --steps;
@@ -262,6 +243,8 @@ bool ViewSession::Parts::advance() {
     }
   }
   forget_newer();
+  if (device != nullptr)
+    if (const std::optional<ViewCommand> wish = stage->command_of(*device)) command(*wish);
   begin_tick();
   step();
   newest = tick;
@@ -380,7 +363,7 @@ std::uint64_t ViewSession::lost_events() const noexcept {
   return parts_->lost.load(std::memory_order_relaxed);
 }
 
-bool ViewSession::tick(double wall_us) {
+bool ViewSession::tick(double wall_us, const DevicePose* device) {
   Parts& p = *parts_;
   p.adopt();
   p.obey();
@@ -388,13 +371,19 @@ bool ViewSession::tick(double wall_us) {
   if (p.target >= 0) {
     p.go_on_seeking();
   } else {
-    did = p.advance();
+    did = p.advance(device);
   }
   p.show(wall_us);
   return did;
 }
 
 std::int64_t ViewSession::ticks() const noexcept { return parts_->now.load(std::memory_order_relaxed); }
+
+DeviceTouch ViewSession::device_touch() const noexcept {
+  return {parts_->stage->device_reading(), parts_->disturbances};
+}
+
+double ViewSession::stored_energy() const { return parts_->stage->stored_energy(); }
 
 std::uint64_t ViewSession::state_hash() const { return parts_->stage->hash(); }
 

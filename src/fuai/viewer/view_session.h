@@ -33,6 +33,8 @@ namespace fuai {
 
 /// Hands of the user on each cloth, pins among them; the scene's own hands come besides.
 inline constexpr std::size_t kMostViewHands = 16;
+/// The last of them is that of a device (DevicePose), the others are the mouse's.
+inline constexpr std::size_t kDeviceHand = kMostViewHands - 1;
 inline constexpr double kViewStep = 0.001;  ///< dt of a tick [s]
 inline constexpr double kSnapshotPeriod =
     1.0 / 120.0;  ///< of simulated or of wall time, whichever is longer [s]
@@ -53,14 +55,33 @@ struct ViewCommand {
   Kind kind = Kind::kMove;
   std::uint8_t hand = 0;
   bool flag = false;
-  Vec2 material = Vec2::Zero();  ///< weft and warp coordinate [m]
-  Vec3 position = Vec3::Zero();  ///< of the hand in the coordinates of the scene [m]
-  double radius = 0.009;         ///< of the patch [m], up to kMostPatchRadius
+  Vec2 material = Vec2::Zero();              ///< weft and warp coordinate [m]
+  Vec3 position = Vec3::Zero();              ///< of the hand in the coordinates of the scene [m]
+  double radius = 0.009;                     ///< of the patch [m], up to kMostPatchRadius
+  double stiffness = GraspSpec{}.stiffness;  ///< of the hold of kGrab [N/m], up to kMostHoldStiffness
   /// How many steps the way of kMove takes, at least 1: a mouse tells its place with every picture, and a
   /// hand that jumped from one to the next would tear at the cloth.
   std::uint16_t ticks = kMoveTicks;
 };
-inline constexpr double kMostPatchRadius = 0.1;  ///< [m]
+inline constexpr double kMostPatchRadius = 0.1;                                ///< [m]
+inline constexpr double kLeastHoldStiffness = 1e-3, kMostHoldStiffness = 1e5;  ///< [N/m]
+
+/// Where the hand of a device is, for the tick that comes. It grips cloth within its reach, follows every
+/// tick, and lets go when it does not hold or jumps farther than its reach: after a pause, or a way back in
+/// time.
+struct DevicePose {
+  Vec3 position = Vec3::Zero();              ///< in the coordinates of the scene [m]
+  bool holds = false;                        ///< it wants to
+  double reach = 0.0;                        ///< [m]
+  double stiffness = GraspSpec{}.stiffness;  ///< of its hold [N/m]
+};
+
+/// What it feels after a tick.
+struct DeviceTouch {
+  GraspReading reading;  ///< of the first cloth
+  /// Counts what may have put energy into the first cloth, or taken it out, besides this hand.
+  std::uint64_t disturbances = 0;
+};
 
 /// A command that was done, at the beginning of a tick; or what the hash was then; or that other cloths took
 /// over.
@@ -163,7 +184,14 @@ class ViewSession {
   /// @param wall_us clock of the caller [us]; it decides only when snapshots are made
   /// @return whether a new tick was done. Thread class: real-time but for the first snapshots after
   /// replace().
-  bool tick(double wall_us);
+  /// @param device hand of a device; null: there is none. What it does is done as commands of the tick, so
+  /// that they are recorded, and repeated without it.
+  bool tick(double wall_us, const DevicePose* device = nullptr);
+  /// Thread class: real-time.
+  DeviceTouch device_touch() const noexcept;
+  /// As ClothSimulation::stored_energy(), of the first cloth; costs as much as a step. Thread class:
+  /// real-time.
+  double stored_energy() const;
   std::int64_t ticks() const noexcept;  ///< Thread class: any.
   /// Of all cloths as they are.
   std::uint64_t state_hash() const;

@@ -64,7 +64,8 @@ bool ViewStage::makes_sense(const ViewCommand& command) const noexcept {
   if (command.kind != ViewCommand::Kind::kGrab && !hands_.hands[command.hand].holds) return false;
   if (command.kind == ViewCommand::Kind::kRelease) return true;
   return command.position.allFinite() && command.material.allFinite() && command.radius >= 0.0 &&
-         command.radius <= kMostPatchRadius;
+         command.radius <= kMostPatchRadius && command.stiffness >= kLeastHoldStiffness &&
+         command.stiffness <= kMostHoldStiffness;
 }
 
 void ViewStage::apply(const ViewCommand& command) noexcept {
@@ -92,6 +93,7 @@ void ViewStage::grab(const ViewCommand& command) noexcept {
   GraspSpec spec;
   spec.centre = command.material;
   spec.radius = command.radius;
+  spec.stiffness = command.stiffness;
   ViewHand& hand = hands_.hands[command.hand];
   for (std::size_t c = 0; c < size(); ++c) {
     int& hold = each_[c].holds.user[command.hand];
@@ -126,6 +128,38 @@ void ViewStage::set_motion(bool moves) noexcept {
   if (moves) return;
   for (std::size_t c = 0; c < size(); ++c)
     for (int& hold : each_[c].holds.scene.holds) simulation(c).release(std::exchange(hold, -1));
+}
+
+std::optional<ViewCommand> ViewStage::command_of(const DevicePose& device) const noexcept {
+  const ViewHand& hand = hands_.hands[kDeviceHand];
+  ViewCommand command;
+  command.hand = static_cast<std::uint8_t>(kDeviceHand);
+  command.position = device.position;
+  if (hand.holds) {
+    const bool jumps = !((device.position - hand.goal).norm() <= device.reach);
+    if (device.position == hand.goal && device.holds) return std::nullopt;
+    command.kind = device.holds && !jumps ? ViewCommand::Kind::kMove : ViewCommand::Kind::kRelease;
+    command.ticks = 1;
+    return command;
+  }
+  if (!device.holds) return std::nullopt;
+  const std::optional<Vec2> near = simulation(0).free_cloth_near(device.position, device.reach);
+  if (!near) return std::nullopt;
+  command.kind = ViewCommand::Kind::kGrab;
+  command.material = *near;
+  command.stiffness = device.stiffness;
+  return command;
+}
+
+GraspReading ViewStage::device_reading() const noexcept {
+  return simulation(0).grasp_reading(each_[0].holds.user[kDeviceHand]);
+}
+
+bool ViewStage::is_driven() const noexcept {
+  if (hands_.scene_moves) return true;
+  for (std::size_t h = 0; h < kDeviceHand; ++h)
+    if (hands_.hands[h].left > 0) return true;
+  return false;
 }
 
 void ViewStage::move_hands() noexcept {

@@ -6,7 +6,7 @@ namespace fuai {
 
 int HandBook::grab(ViewSession& session, std::size_t cloth, const Vec2& material, const Vec3& point,
                    bool pin) {
-  for (std::size_t i = 0; i < kMostViewHands; ++i) {
+  for (std::size_t i = 0; i < kDeviceHand; ++i) {
     if (hands_[i].active) continue;
     ViewCommand command;
     command.kind = ViewCommand::Kind::kGrab;

@@ -12,7 +12,7 @@ namespace fuai {
 ViewLayout lay_out(const ViewerState& state) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const float unit = ImGui::GetFontSize();
-  const float top = ImGui::GetFrameHeight(), bottom = 4.6F * unit;
+  const float top = ImGui::GetFrameHeight(), bottom = (state.device.asked.empty() ? 4.6F : 6.0F) * unit;
   const float left = state.settings.fabric_panel ? std::min(21.0F * unit, 0.3F * size.x) : 0.0F;
   const float right = state.settings.plots ? std::min(23.0F * unit, 0.3F * size.x) : 0.0F;
   const float height = std::max(size.y - top - bottom, 1.0F);

@@ -99,6 +99,20 @@ void draw_hands(const ViewerState& state, ImDrawList& list, std::size_t cloth) {
     if (reading.holds) draw_hand(state, list, state.tiles[cloth], {reading, reading.centre, false, false});
 }
 
+/// Where the hand of the device is, whether it holds or not.
+void draw_device(const ViewerState& state, ImDrawList& list, std::size_t cloth) {
+  const ShownDevice& device = state.device;
+  if (device.model.empty() || device.view.rate == 0.0) return;
+  const Vec3 at = to_screen(state, state.tiles[cloth], device.view.tool);
+  if (at.z() <= 0.0) return;
+  const float scale = state.settings.scale;
+  const ImU32 ink = state.settings.dark ? IM_COL32_WHITE : IM_COL32_BLACK;
+  const ImU32 colour = device.view.away ? IM_COL32(128, 128, 128, 255) : IM_COL32(255, 170, 40, 255);
+  list.AddCircle(flat(at), 9.0F * scale, ink, 0, 4.0F * scale);
+  list.AddCircle(flat(at), 9.0F * scale, colour, 0, 2.0F * scale);
+  list.AddCircleFilled(flat(at), 2.0F * scale, colour);
+}
+
 void draw_name(const ViewerState& state, ImDrawList& list, std::size_t cloth) {
   const ViewFabric& fabric = state.built.fabrics[cloth];
   const ScreenTile& tile = state.tiles[cloth];
@@ -191,6 +205,7 @@ void draw_overlay_2d(ViewerState& state) {
         {static_cast<float>(tile.left), static_cast<float>(tile.top)},
         {static_cast<float>(tile.left + tile.width), static_cast<float>(tile.top + tile.height)});
     draw_hands(state, list, i);
+    draw_device(state, list, i);
     draw_name(state, list, i);
     list.PopClipRect();
   }

@@ -62,7 +62,8 @@ void status(ViewerState& state) {
     kinetic = s.cloths[0].kinetic_energy;
   }
   ImGui::Text("%.3f s   %s %.3f + %.3f + %.3f mJ   %s", s.time, state.text(TextId::kStatusEnergy),
-              1e3 * internal, 1e3 * weight, 1e3 * kinetic, state.text(TextId::kStatusDevice));
+              1e3 * internal, 1e3 * weight, 1e3 * kinetic,
+              state.device.asked.empty() ? state.text(TextId::kStatusDevice) : "");
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.text(TextId::kEnergyParts));
   if (state.real_time_factor) {  // else nothing is paced, and times would say nothing
     ImGui::SameLine();
@@ -81,6 +82,31 @@ void status(ViewerState& state) {
   }
 }
 
+/// A line about the device: how fast its force loop is, what it is given, and what the cloth gives.
+void device_status(const ViewerState& state) {
+  const ShownDevice& device = state.device;
+  if (device.asked.empty()) return;
+  if (device.model.empty()) {
+    ImGui::TextDisabled("%s: %s; %s", device.asked.c_str(), state.text(TextId::kDeviceMissing),
+                        state.text(TextId::kDeviceMouseGoesOn));
+    return;
+  }
+  ImGui::Text("%s   %.0f Hz   %s %llu", device.model.c_str(), device.view.rate,
+              state.text(TextId::kDeviceOverruns), static_cast<unsigned long long>(device.view.overruns));
+  ImGui::SameLine();
+  if (device.view.away || device.view.faulted) {
+    ImGui::TextColored({0.95F, 0.3F, 0.25F, 1.0F}, "  %s",
+                       state.text(device.view.away ? TextId::kDeviceAway : TextId::kDeviceFault));
+    return;
+  }
+  const std::vector<ClothView>& cloths = state.snapshot().cloths;
+  const double cloth = cloths.empty() ? 0.0 : cloths[0].hands[kDeviceHand].force.norm();
+  const std::string sent =
+      device.gives_force ? force_text(device.view.force) : state.text(TextId::kDeviceNoForce);
+  ImGui::Text("  %s %s   %s %s", state.text(TextId::kDeviceCloth), force_text(cloth).c_str(),
+              state.text(TextId::kDeviceSent), sent.c_str());
+}
+
 }  // namespace
 
 void draw_time_panel(ViewerState& state) {
@@ -88,6 +114,7 @@ void draw_time_panel(ViewerState& state) {
     controls(state);
     past(state);
     status(state);
+    device_status(state);
   }
   ImGui::End();
 }

@@ -162,6 +162,17 @@ constexpr UiText kTexts[] = {
     {kChanged, "changed", "変更あり"},
     {kUnknown, "unknown", "不明"},
     {kGrabFirst, "Grab the cloth to see its force", "布をつまむと力が出ます"},
+    {kDeviceOverruns, "overruns", "遅れた周期"},
+    {kDeviceCloth, "cloth", "布の力"},
+    {kDeviceSent, "given", "出力"},
+    {kDeviceNoForce, "no force, input only", "力なし（入力のみ）"},
+    {kDeviceAway, "not connected, not calibrated or switched off: no force, and it holds nothing",
+     "未接続、未校正、または力がオフ：力を止め、布を放しました"},
+    {kDeviceBack, "connected again", "再び接続しました"},
+    {kDeviceFault, "a force that is no number: it gives none until the scene is changed",
+     "異常な力のため停止中（場面を変えると再開）"},
+    {kDeviceMissing, "not there", "見つかりません"},
+    {kDeviceMouseGoesOn, "the mouse goes on", "マウスで続けます"},
     {kJndUnit, "JND", "弁別閾"},
 };
 

@@ -153,6 +153,15 @@ enum class TextId : std::uint8_t {
   kChanged,
   kUnknown,
   kGrabFirst,
+  kDeviceOverruns,
+  kDeviceCloth,
+  kDeviceSent,
+  kDeviceNoForce,
+  kDeviceAway,
+  kDeviceBack,
+  kDeviceFault,
+  kDeviceMissing,
+  kDeviceMouseGoesOn,
   kJndUnit,
 };
 inline constexpr std::size_t kTextCount = static_cast<std::size_t>(TextId::kJndUnit) + 1;

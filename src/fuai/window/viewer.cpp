@@ -10,9 +10,14 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "fuai/core/error.h"
+#include "fuai/device/gamepad_rumble.h"
+#include "fuai/device/registry.h"
+#include "fuai/experiments/scene_pictures.h"
 #include "fuai/io/fabric_library.h"
 #include "fuai/io/text_file.h"
 #include "fuai/picture/cloth_painter.h"
@@ -77,16 +82,19 @@ class Viewer {
     state_.browse_folder = std::filesystem::is_directory(folder, code) ? folder : data_folder();
     load_texture();
     begin_session(state_);
+    open_device();
+    if (options_.rumble) open_rumble();
     open_host();
     if (!options.record.empty()) files_->start_recording(state_, options.record);
     state_.session->play(true);
-    if (!steps_itself()) start_thread();
+    start_thread();
   }
 
   ViewerResult run() {
     while (!host_->closing() && !state_.wishes.quit && !over()) frame();
     ViewerResult result;
     thread_.reset();
+    end_device(result);
     // Once more, without a step: the snapshot of the last tick, with its energies.
     state_.session->play(false);
     state_.session->tick(wall_us_ = std::max(wall_us_, PacedThread::now_us()) + 1e6);
@@ -109,14 +117,8 @@ class Viewer {
 
   void load_texture() {
     if (options_.texture.empty()) return;
-    try {
-      state_.texture =
-          std::make_shared<const Image>(decode_png(read_bytes(options_.texture), options_.texture));
-      state_.texture_width = options_.texture_width;
-    } catch (const Error& e) {
-      say(e.what());
-      state_.say(e.what(), true);
-    }
+    const std::string told = lay_texture(state_, options_.texture, options_.texture_width);
+    if (!told.empty()) say(told);
   }
 
   void keep_settings() const {
@@ -142,6 +144,72 @@ class Viewer {
            static_cast<double>(state_.session->ticks()) * kViewStep >= options_.seconds - 0.5 * kViewStep;
   }
 
+  /// A device that is not there is told, and the mouse goes on.
+  void open_device() {
+    const std::string driver = options_.device.substr(0, options_.device.find(':'));
+    if (driver.empty() || find_device_driver(driver).name == mouse_driver().name) return;
+    state_.device.asked = options_.device;
+    try {
+      HandDevice opened = open_hand_device(options_.device);
+      if (steps_itself() && !opened.computed) {
+        throw Error(ErrorKind::kUsage,
+                    "'" + options_.device + "' lives in real time, and --seconds is computed time", {},
+                    "leave --seconds out, or take --device simulated");
+      }
+      device_ =
+          std::make_unique<DeviceHand>(std::move(opened), *state_.session,
+                                       steps_itself() ? DeviceHand::Time::kVirtual : DeviceHand::Time::kReal);
+      state_.device.model = device_->info().model;
+      state_.device.gives_force = device_->info().peak_force > 0.0;
+    } catch (const Error& e) {
+      if (e.kind() != ErrorKind::kNoDevice) throw;
+      tell(e.problem() + (e.cure().empty() ? "" : " (" + e.cure() + ")"));
+    }
+  }
+  void open_rumble() {
+    try {
+      rumble_ = std::make_unique<GamepadRumble>();
+    } catch (const Error& e) {
+      tell(e.problem() + " (" + e.cure() + ")");
+    }
+  }
+  /// As strong as the arrows are long: the force of the first cloth on the hand that gripped or moved last.
+  void rumble() {
+    if (!rumble_) return;
+    const bool felt = state_.playing && !state_.forces.empty() && state_.forces.back().hand >= 0;
+    if (rumble_->set(felt ? force_share(state_.forces.back().forces.front()) : 0.0)) return;
+    rumble_.reset();
+    tell("--rumble", TextId::kDeviceAway);
+  }
+  /// To the window in its language, and in English to whoever started it.
+  void tell(const std::string& what, std::optional<TextId> more = {}) {
+    const auto line = [&](Language language) {
+      return what + (more ? std::string(": ") + ui_text(*more, language) : "") + "; " +
+             ui_text(TextId::kDeviceMouseGoesOn, language);
+    };
+    state_.say(line(state_.settings.language), true);
+    if (options_.say) options_.say(line(Language::kEnglish));
+  }
+  void follow_device() {
+    if (!device_) return;
+    const DeviceView before = std::exchange(state_.device.view, device_->look());
+    const DeviceView& now = state_.device.view;
+    if (now.away && !before.away) tell(state_.device.model, TextId::kDeviceAway);
+    if (!now.away && before.away) state_.say(state_.device.model + ": " + state_.text(TextId::kDeviceBack));
+    if (now.faulted && !before.faulted) tell(state_.device.model, TextId::kDeviceFault);
+    device_force_ = std::max(device_force_, now.force);
+  }
+  void end_device(ViewerResult& result) {
+    if (!device_) return;
+    follow_device();
+    const std::vector<std::string> refused = device_->end();
+    if (options_.say)
+      for (const std::string& line : refused) options_.say(line);
+    result.device = state_.device.model;
+    result.overruns = state_.device.view.overruns;
+    result.device_force = device_force_;
+  }
+
   void open_host() {
     host_ = options_.window ? make_window_host(options_.width, options_.height, "fuai")
                             : make_headless_host(options_.width, options_.height);
@@ -160,28 +228,35 @@ class Viewer {
   }
 
   void start_thread() {
+    if (device_) device_->begin(state_.cloths->scene(0).view);
+    if (device_ || steps_itself()) return;
     thread_ = std::make_unique<PacedThread>(
         [session = state_.session.get()] { return session->tick(PacedThread::now_us()); }, kViewStep);
   }
 
-  /// A close view looks at the vertex nearest to the middle of the first cloth: the middle itself may lie
-  /// beside it.
   void aim() {
-    if (options_.zoom <= 1.0) return;
-    const std::vector<Vec3>& places = state_.meshes.front().mesh.positions;
-    Vec3 middle = Vec3::Zero();
-    for (const Vec3& p : places) middle += p / static_cast<double>(places.size());
-    state_.camera.look_at(
-        *std::ranges::min_element(places, {}, [&](const Vec3& p) { return (p - middle).squaredNorm(); }));
+    if (options_.zoom > 1.0) look_at_cloth(state_);
   }
 
   void step_cloths() {
+    follow_device();
+    if (device_ && !steps_itself()) {
+      device_->set_speed(state_.settings.speed);
+      state_.real_time_factor = device_->real_time_factor();
+      return;
+    }
     if (thread_) {
       thread_->set_speed(state_.settings.speed);
       state_.real_time_factor = thread_->real_time_factor();
       return;
     }
-    for (int i = 0; i < kTicksAPicture && !over(); ++i) state_.session->tick(wall_us_ += 1e6 * kViewStep);
+    for (int i = 0; i < kTicksAPicture && !over(); ++i) {
+      wall_us_ += 1e6 * kViewStep;
+      if (device_)
+        device_->tick(wall_us_);
+      else
+        state_.session->tick(wall_us_);
+    }
   }
 
   void panels() {
@@ -202,9 +277,13 @@ class Viewer {
     step_cloths();
     if (follow_document(state_)) {
       files_->setup_changed(state_);
-      if (state_.built.scene != framed_scene_) frame_next_ = true;
+      if (state_.built.scene != framed_scene_) {
+        frame_next_ = true;
+        if (device_) device_->begin(state_.cloths->scene(0).view);
+      }
     }
     take_snapshot(state_);
+    rumble();
     state_.tiles = make_tiles(lay_out(state_).view, state_.meshes.size());
     if (frame_next_) {
       frame_view(state_);
@@ -305,6 +384,9 @@ class Viewer {
   double last_picture_ = 0.0;
   std::int64_t pictures_ = 0;
   std::vector<double> picture_times_, paint_times_;
+  double device_force_ = 0.0;
+  std::unique_ptr<GamepadRumble> rumble_;
+  std::unique_ptr<DeviceHand> device_;
   std::unique_ptr<PacedThread> thread_;
 };
 

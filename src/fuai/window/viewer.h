@@ -8,6 +8,7 @@
 //
 //   With a number of seconds, and without a display, the window's thread ticks the cloths itself, a picture's
 //   time at a time: what is seen then depends on nothing but the options.
+//   With a device its hand brings a force loop along, and ticks the session (device_hand.h).
 #pragma once
 
 #include <functional>
@@ -29,6 +30,8 @@ struct ViewerOptions {
   bool window = true;              ///< else without a display
   bool scene_moves = false;        ///< the scene's own hands and pins move
   double seconds = 0.0;            ///< simulated time after which it ends [s]; 0: until it is closed
+  std::string device;              ///< "driver" or "driver:model"; empty or "mouse": the mouse alone
+  bool rumble = false;             ///< a gamepad rumbles with the force on the hand of the user
   double zoom = 1.0;               ///< how many times nearer than where everything is seen
   std::string texture;             ///< PNG that lies on the cloths; what is wrong with it is told by `say`
   double texture_width = 0.1;      ///< width of that picture on the cloth [m]
@@ -49,13 +52,18 @@ struct ViewerResult {
   double picture_ms = 0.0;       ///< median time from picture to picture [ms]
   double paint_ms = 0.0;         ///< median time for the cloths of a picture [ms]
   std::string renderer;          ///< as the driver calls itself
+  std::string device;            ///< model; empty: the mouse alone
+  std::uint64_t overruns = 0;    ///< of its force loop
+  double device_force = 0.0;     ///< most that was sent to it [N]
 };
 
 /// Whether there is a display to open a window on. Thread class: set-up.
 bool has_display();
 
 /// Runs until the window is closed or the seconds are over. @throws Error (kNoDevice) without a display or a
-/// graphics driver; as make_view_setup(); (kBadInput) for files that cannot be written. Thread class: set-up.
+/// graphics driver; as make_view_setup(); (kUsage) for a driver that does not
+/// exist, and a real device in computed time; (kBadInput) for files that cannot be written. Thread class:
+/// set-up.
 ViewerResult run_viewer(const ViewerOptions& options);
 
 }  // namespace fuai

@@ -13,6 +13,7 @@
 #include "fuai/laboratory/fabric_comparison.h"
 #include "fuai/laboratory/fabric_numbers.h"
 #include "fuai/viewer/view_session.h"
+#include "fuai/window/device_hand.h"
 #include "fuai/window/hand_book.h"
 #include "fuai/window/key_table.h"
 #include "fuai/window/orbit_camera.h"
@@ -39,6 +40,15 @@ struct Message {
   std::string text;
   bool bad = false;
   double until = 0.0;  ///< clock of the window [s]
+};
+
+/// What the user holds besides the mouse.
+struct ShownDevice {
+  std::string asked;  ///< empty: nothing
+  std::string model;  ///< empty: it is not there
+  bool gives_force = false;
+  DeviceView view;
+  Vec3 start = Vec3::Zero();  ///< where its hand gripped last [m]
 };
 
 /// What the pressed button does.
@@ -75,6 +85,7 @@ struct ViewerState {
   double texture_width = 0.1;            ///< [m]
 
   HandBook hands;
+  ShownDevice device;
   Drag drag;
   int left_presses = 0;  ///< since the last picture
   OrbitCamera camera;

@@ -8,6 +8,7 @@
 
 #include "fuai/core/error.h"
 #include "fuai/experiments/scene_pictures.h"
+#include "fuai/io/text_file.h"
 #include "fuai/io/threshold_file.h"
 #include "fuai/scenes/catalogue.h"
 #include "fuai/window/ui_style.h"
@@ -82,6 +83,10 @@ void remember_forces(ViewerState& state) {
   ForceMoment moment;
   moment.time = snapshot.time;
   moment.hand = state.hands.last();
+  // The mouse's hand, else that of the device.
+  constexpr auto kDevice = static_cast<int>(kDeviceHand);
+  const bool was_device = !state.forces.empty() && state.forces.back().hand == kDevice;
+  if (moment.hand < 0 && snapshot.cloths.front().hands[kDeviceHand].holds) moment.hand = kDevice;
   for (const ClothView& cloth : snapshot.cloths) {
     // Without a hand of the user's that of the scene.
     const GraspReading& reading =
@@ -92,7 +97,10 @@ void remember_forces(ViewerState& state) {
   }
   if (moment.hand >= 0) {
     const UserHand& hand = state.hands.hand(static_cast<std::size_t>(moment.hand));
-    moment.way = (hand.target - hand.start).norm();
+    const Vec3& place = snapshot.cloths.front().targets[kDeviceHand];
+    if (moment.hand == kDevice && !was_device) state.device.start = place;
+    moment.way =
+        moment.hand == kDevice ? (place - state.device.start).norm() : (hand.target - hand.start).norm();
   }
   state.forces.push_back(std::move(moment));
 }
@@ -185,6 +193,25 @@ void frame_view(ViewerState& state) {
   const double aspect =
       state.tiles.empty() ? 1.5 : static_cast<double>(state.tiles[0].width) / state.tiles[0].height;
   state.camera.frame(bounds, view.azimuth, view.elevation, aspect);
+}
+
+void look_at_cloth(ViewerState& state) {
+  const std::vector<Vec3>& places = state.meshes.front().mesh.positions;
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& p : places) middle += p / static_cast<double>(places.size());
+  state.camera.look_at(
+      *std::ranges::min_element(places, {}, [&](const Vec3& p) { return (p - middle).squaredNorm(); }));
+}
+
+std::string lay_texture(ViewerState& state, const std::string& path, double width) {
+  try {
+    state.texture = std::make_shared<const Image>(decode_png(read_bytes(path), path));
+    state.texture_width = width;
+    return {};
+  } catch (const Error& e) {
+    state.say(e.what(), true);
+    return e.what();
+  }
 }
 
 void add_view_fabric(ViewerState& state, const std::string& source) {
