@@ -32,7 +32,7 @@ struct RenderOptions {
   std::string spacing;  ///< with unit; empty: the scene's own
   std::string output;
   int width = 1280, height = 800;
-  bool as_printed = false;
+  bool as_printed = false, weave = false;
 };
 
 int run_scenes(const Console& console) {
@@ -140,8 +140,10 @@ int run_render(const Console& console, const RenderOptions& options) {
   if (kind == SceneKind::kEngine) scene = make_engine_scene(options.scene, make_fabric_laws(fabric), size);
   OffscreenRenderer renderer =
       make_offscreen_renderer();  // before the long run: a missing driver shows at once
-  const Rendered out = scene ? render_engine(console, options, fabric, *scene, seconds)
-                             : render_paper(console, options, fabric, seconds);
+  Rendered out = scene ? render_engine(console, options, fabric, *scene, seconds)
+                       : render_paper(console, options, fabric, seconds);
+  if (options.weave)
+    for (ClothItem& cloth : out.picture.cloths) cloth.yarns = yarns_of(fabric);
   write_atomically(options.output, encode_png(renderer.render(out.picture, options.width, options.height)));
   console.say("wrote " + options.output + " " + out.message);
   JsonValue json = out.json;
@@ -173,6 +175,7 @@ void declare_render(const Command& parent) {
   command.option("--height", options->height, "Pixels").range(kLeastPixels, kMostPixels);
   command.flag("--as-printed", options->as_printed,
                "The paper's method with all its faults, instead of the corrected one");
+  command.flag("--weave", options->weave, "With the yarns at their true size, where they are to be seen");
   command.examples({"fuai render hanging_sheet --fabric wool-tropical --time 2s -o sheet.png",
                     "fuai render corner_drape --spacing 5mm -o drape.png",
                     "fuai render paper_drape --fabric graded-10 --time 30s --as-printed -o paper.png"});

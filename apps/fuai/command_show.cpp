@@ -33,13 +33,13 @@ JsonValue provenance_json(const Provenance& p) {
 
 std::string symbol_of(const FabricField& field) {
   return field.kes ? std::string(kes_quantity(*field.kes).symbol)
-                   : field.key.substr(0, field.key.rfind("_gf"));
+                   : field.key.substr(0, field.key.rfind(field.unit == "1/cm" ? "_per" : "_gf"));
 }
 
 /// SI unit of a field; those that are no KES quantity are loads, lengths and counts.
 std::string si_unit_of(const FabricField& field) {
   if (field.kes) return std::string(kes_quantity(*field.kes).si_unit);
-  return field.unit == "gf/cm" ? "N/m" : field.unit == "cm" ? "m" : "-";
+  return field.unit == "gf/cm" ? "N/m" : field.unit == "cm" ? "m" : field.unit == "1/cm" ? "1/m" : "-";
 }
 
 void print_numbers(const Console& console, Fabric& fabric, JsonValue& json) {

@@ -10,6 +10,7 @@
 #include "fuai/core/hash.h"
 #include "fuai/device/registry.h"
 #include "fuai/viewer/view_session.h"
+#include "fuai/window/kept_settings.h"
 #include "fuai/window/viewer.h"
 #include "scene_options.h"
 
@@ -29,7 +30,9 @@ struct ViewOptions {
   std::string device = "mouse";
   std::string language, theme, units, heat_map;
   int width = 1280, height = 720;
-  bool headless = false, moves = false, bare = false, rumble = false;
+  std::string texture, texture_width = "10cm";
+  int zoom = 1;
+  bool headless = false, moves = false, bare = false, weave = false, no_weave = false, rumble = false;
 };
 
 /// The first bundled fabric that a newcomer sees: measured in bending and tension, of middling weight.
@@ -53,14 +56,29 @@ int heat_map_of(const std::string& word) {
   throw Error(ErrorKind::kUsage, "--heat-map: '" + word + "' is not known", {}, "use one of " + words);
 }
 
-ViewSettings settings_of(const ViewOptions& options) {
-  ViewSettings settings;
-  if (options.language == "ja") settings.language = Language::kJapanese;
-  settings.dark = options.theme != "light";
-  if (options.units == "si") settings.units = UnitSystem::kSi;
+/// @param settings as they were kept; options win
+ViewSettings settings_of(const ViewOptions& options, ViewSettings settings) {
+  if (options.weave && options.no_weave)
+    throw Error(ErrorKind::kUsage, "--weave and --no-weave exclude each other", {}, "leave one out");
+  if (!options.language.empty())
+    settings.language = options.language == "ja" ? Language::kJapanese : Language::kEnglish;
+  if (!options.theme.empty()) settings.dark = options.theme == "dark";
+  if (!options.units.empty()) settings.units = options.units == "si" ? UnitSystem::kSi : UnitSystem::kKes;
   if (options.bare) settings.fabric_panel = settings.plots = false;
+  if (options.weave || options.no_weave) settings.yarns = options.weave;
   settings.heat_map = heat_map_of(options.heat_map);
   return settings;
+}
+
+/// Reads what was kept the last time; scripts neither read nor write it.
+void take_kept_settings(const Console& console, const ViewOptions& options, ViewerOptions& viewer) {
+  if (options.headless || !options.seconds.empty()) return;
+  viewer.settings_file = kept_settings_path();
+  try {
+    viewer.kept = read_kept_settings(viewer.settings_file);
+  } catch (const Error& e) {
+    console.warn(std::string(e.what()) + " (the settings start anew)");
+  }
 }
 
 int run_view(const Console& console, const ViewOptions& options) {
@@ -70,7 +88,11 @@ int run_view(const Console& console, const ViewOptions& options) {
   viewer.scene = options.scene;
   viewer.fabrics = options.fabrics.empty() ? std::vector<std::string>{kFirstFabric} : options.fabrics;
   viewer.size = scene_options(options.size, options.spacing);
-  viewer.settings = settings_of(options);
+  take_kept_settings(console, options, viewer);
+  viewer.settings = settings_of(options, viewer.kept.settings);
+  viewer.texture = options.texture;
+  viewer.texture_width = picture_width_value(options.texture_width, "--texture-width");
+  viewer.zoom = options.zoom;
   viewer.width = options.width;
   viewer.height = options.height;
   viewer.window = !options.headless;
@@ -121,7 +143,7 @@ int run_view(const Console& console, const ViewOptions& options) {
 
 void declare_view(const Command& parent) {
   const auto options = std::make_shared<ViewOptions>();
-  constexpr int kLeastPixels = 320, kMostPixels = 8192;
+  constexpr int kLeastPixels = 320, kMostPixels = 8192, kMostZoom = 100;
   const Command command =
       parent.command("view", "The viewer: grab cloth, see newtons, compare one to four fabrics");
   command.option("FABRIC", options->fabrics, "Bundled names or paths; default: " + std::string(kFirstFabric));
@@ -136,6 +158,12 @@ void declare_view(const Command& parent) {
   command.option("--theme", options->theme, "dark or light").among({"dark", "light"});
   command.option("--units", options->units, "kes or si").among({"kes", "si"});
   command.option("--heat-map", options->heat_map, "Show a quantity in colour, e.g. warp-curvature");
+  command.flag("--weave", options->weave,
+               "Show the yarns at their true size, as when nothing was chosen yet");
+  command.flag("--no-weave", options->no_weave, "Do not");
+  command.option("--texture", options->texture, "PNG that lies on the cloths, repeated");
+  command.option("--texture-width", options->texture_width, "What its width is on the cloth, with unit");
+  command.option("--zoom", options->zoom, "How many times nearer to begin").range(1, kMostZoom);
   command.flag("--bare", options->bare, "Without the panels at the sides");
   command.option("--seconds", options->seconds,
                  "Simulated time after which it ends, e.g. 2s; default: never");

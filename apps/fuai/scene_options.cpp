@@ -66,6 +66,14 @@ SceneOptions scene_options(int size, const std::string& spacing) {
   return options;
 }
 
+double picture_width_value(const std::string& text, const char* option) {
+  constexpr double kLeast = 1e-3, kMost = 10.0;
+  const double width = parse_value(text, kLength, option);
+  if (width >= kLeast && width <= kMost) return width;
+  throw Error(ErrorKind::kUsage, std::string(option) + ": '" + text + "' is out of range", {},
+              "take 1mm to 10m");
+}
+
 double time_value(const std::string& text, const char* option, bool bare) {
   const bool is_bare =
       bare && !text.empty() && (text.back() == '.' || (text.back() >= '0' && text.back() <= '9'));

@@ -28,6 +28,9 @@ void declare_size(const Command& command, int& size, std::string& spacing);
 /// @param spacing with unit, or empty. @throws Error (kUsage).
 fuai::SceneOptions scene_options(int size, const std::string& spacing);
 
+/// How wide a picture is on cloth, 1 mm to 10 m [m]. @throws Error (kUsage).
+double picture_width_value(const std::string& text, const char* option);
+
 /// A time of 0 or more [s]: "2s", or where `bare` a number of seconds too. @throws Error (kUsage).
 double time_value(const std::string& text, const char* option, bool bare);
 

@@ -95,6 +95,7 @@ bool same(const Known& a, const Known& b) {
 /// Compares everything but the warnings; names the first difference.
 std::string difference(Fabric a, Fabric b) {
   if (a.id != b.id || a.name != b.name || a.composition != b.composition || a.note != b.note) return "texts";
+  if (a.weave.structure != b.weave.structure) return "structure";
   const auto fields_a = fabric_fields(a), fields_b = fabric_fields(b);
   for (std::size_t i = 0; i < fields_a.size(); ++i) {
     if (!same(*fields_a[i].value, *fields_b[i].value)) return fields_a[i].path();
@@ -138,6 +139,24 @@ TEST_SUITE("unit") {
     CHECK(close(fabric.compression.WC, 0.12 * 0.980665));
     CHECK(close(fabric.drape.specimen_diameter, 0.254));
     CHECK(fabric.warnings.empty());
+  }
+
+  TEST_CASE("structure and yarns per centimetre are read; what is no structure is told") {
+    const std::string head = "[weight]\n";
+    const Fabric fabric = parse(with(head,
+                                     "structure = \"satin\"\n[weave]\nwarp_threads_per_cm = 48\n"
+                                     "weft_threads_per_cm = 31.5\n" +
+                                         head));
+    CHECK(fabric.weave.structure == WeaveStructure::kSatin);
+    CHECK(fabric.weave.warp_threads.value == doctest::Approx(4800.0).epsilon(1e-14));
+    CHECK(fabric.weave.weft_threads.value == doctest::Approx(3150.0).epsilon(1e-14));
+    CHECK(!parse(kExample).weave.structure.has_value());
+    CHECK(
+        contains(error_of([&] { parse(with(head, "structure = \"basket\"\n" + head)); }).what(),
+                 "wool.fabric.toml:4:13: structure: unknown structure 'basket'; write plain, twill, satin or "
+                 "knit"));
+    CHECK(contains(error_of([&] { parse(with(head, "[weave]\nwarp_threads_per_cm = 0\n" + head)); }).what(),
+                   "weave.warp_threads_per_cm: the value is zero"));
   }
 
   TEST_CASE("the most specific provenance wins; a number without any says so") {
@@ -322,6 +341,8 @@ TEST_SUITE("property") {
       fabric.id = "random";
       fabric.name = "n\"\\\n\x01 é 布";
       fabric.note = *rc::gen::element(std::string(), std::string("note\twith\x7f tab"));
+      if (const int structure = *rc::gen::inRange(-1, kWeaveStructureCount); structure >= 0)
+        fabric.weave.structure = static_cast<WeaveStructure>(structure);
       for (const FabricField& field : fabric_fields(fabric)) {
         if (field.key != "W_mg_per_cm2" && *rc::gen::inRange(0, 2) == 0) continue;
         const double number = *rc::gen::inRange(1, 99999) * 1e-3;  // what a laboratory prints

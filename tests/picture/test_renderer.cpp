@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -135,6 +136,29 @@ TEST_SUITE("unit") {
     const Image back = renderer.render(picture, 120, 120);
     CHECK(face.at(60, 60)[0] > 2 * face.at(60, 60)[2]);
     CHECK(back.at(60, 60)[2] > 2 * back.at(60, 60)[0]);
+  }
+
+  TEST_CASE("no pixel is black where a cloth faces the eye exactly") {
+    // Rounding makes the cosine there more than 1 in one picture of eight. An odd size has a middle pixel.
+    OffscreenRenderer renderer = make_offscreen_renderer();
+    constexpr int kOdd = 161;
+    for (int k = 0; k < 24; ++k) {
+      CAPTURE(k);
+      const double turn = 0.13 * k, lean = 0.2 + 0.03 * k;
+      Mat3 axes;
+      axes.col(0) = Vec3(std::cos(turn), std::sin(turn), 0.0);
+      axes.col(2) = Vec3(std::sin(turn) * std::sin(lean), -std::cos(turn) * std::sin(lean), std::cos(lean));
+      axes.col(1) = axes.col(2).cross(axes.col(0));
+      ClothPicture picture = bare_cloth(0.2);
+      for (Vec3& p : picture.cloths[0].mesh.positions) p = axes * p;
+      picture.camera.eye = 0.3 * axes.col(2);
+      picture.camera.up = Vec3::UnitZ();
+      picture.camera.parallel_height = 0.0;
+      const Image image = renderer.render(picture, kOdd, kOdd);
+      // White in full light is 255; what the lights leave of it here is above 150.
+      CHECK(count_pixels(image, [](const std::uint8_t* p) { return covered(p) && lightness(p) < 100.0; }) ==
+            0.0);
+    }
   }
 
   TEST_CASE("values are shown in the colours of the bar, unknown ones in grey") {

@@ -14,7 +14,7 @@ TEST_SUITE("unit") {
   TEST_CASE("every way to a picture reports that pictures were left out, and the cure") {
     const std::function<void()> calls[] = {
         [] { make_offscreen_renderer(); }, [] { plot_png(Plot{}, 100, 100); },
-        [] { plot_svg(PlotGrid{}, 100, 100); }, [] { encode_png(Image{}); }};
+        [] { plot_svg(PlotGrid{}, 100, 100); }, [] { encode_png(Image{}); }, [] { decode_png("", ""); }};
     for (const auto& call : calls) {
       try {
         call();

@@ -35,6 +35,7 @@ fabrics = {
     "mass": 'format = "fuai-fabric/1"\nname = "Wool"\n' + BENDING,
     "nobend": HEAD,
     "tension": HEAD + BENDING + "[shear]\nG_gf_per_cm_deg = 0.15\ntension_gf_per_cm = 10\n" + PROVENANCE,
+    "weave": GOOD.replace("[weight]", 'structure = "basket"\n[weight]'),
     "name": GOOD.replace('name = "Wool"\n', ""),
     "format": GOOD.replace("fabric/1", "fabric/2"),
     "toml": HEAD + "[bending.warp\nB = ",

@@ -70,6 +70,17 @@ TEST_SUITE("property") {
 }
 
 TEST_SUITE("unit") {
+  TEST_CASE("Going so many times nearer keeps target and direction, up to the nearest that there is") {
+    OrbitCamera camera = some_camera(0.7, 0.4);
+    const OrbitCamera before = camera;
+    camera.approach(4.0);
+    CHECK(camera.distance() == doctest::Approx(before.distance() / 4.0));
+    CHECK(camera.target() == before.target());
+    CHECK(camera.azimuth() == before.azimuth());
+    camera.approach(1e9);
+    CHECK(camera.distance() == 0.01);
+  }
+
   TEST_CASE("Panning takes what lies at the target's depth along with the cursor") {
     OrbitCamera camera = some_camera(0.7, 0.4);
     const Vec3 seen = camera.target();

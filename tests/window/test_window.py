@@ -39,7 +39,9 @@ class Window:
         os.close(write)
         with os.fdopen(read) as pipe:
             display = ":" + pipe.readline().strip()
-        self.environment = {**os.environ, "DISPLAY": display, "LIBGL_ALWAYS_SOFTWARE": "1"}
+        self.settings = self.folder / "config" / "fuai" / "viewer.toml"
+        self.environment = {**os.environ, "DISPLAY": display, "LIBGL_ALWAYS_SOFTWARE": "1",
+                            "XDG_CONFIG_HOME": str(self.folder / "config")}
         self.record = self.folder / "r.fuai-view"
         self.program = subprocess.Popen(
             [PROGRAM, "--json", "view", "wool-tropical", "--scene", "hanging_sheet", "--size", "17", "--spacing",
@@ -138,6 +140,9 @@ class EndToEnd(unittest.TestCase):
         self.assertGreater(result["pictures"], 3)
         self.assertEqual(png_size(self.folder / "end.png"), (1280, 720))
         self.assertGreater((self.folder / "fuai-001.png").stat().st_size, 20000)
+        kept = window.settings.read_text(encoding="utf-8").splitlines()
+        for line in ('language = "ja"', 'theme = "light"', 'units = "kes"', "plots = true"):
+            self.assertIn(line, kept)
         code, replayed = self.replay(window.record)
         self.assertTrue(replayed["matches"], replayed)
         self.assertEqual(code, 0)
@@ -151,12 +156,25 @@ class EndToEnd(unittest.TestCase):
         window.program.communicate()
         code, replayed = self.replay(window.record)
         self.assertEqual((code, replayed["matches"]), (0, True))
+        self.assertFalse(window.settings.exists())  # only a window that ends well knows what to keep
 
 
 class WithoutDisplay(unittest.TestCase):
     def run_program(self, *words):
         environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
-        return subprocess.run([PROGRAM, "--json", "view", *words], env=environment, capture_output=True, text=True)
+        with tempfile.TemporaryDirectory() as config:
+            # Broken settings: whoever read them would say so.
+            path = pathlib.Path(config) / "fuai" / "viewer.toml"
+            path.parent.mkdir()
+            path.write_text("broken", encoding="utf-8")
+            run = subprocess.run([PROGRAM, "--json", "view", *words], env={**environment, "XDG_CONFIG_HOME": config},
+                                 capture_output=True, text=True)
+            if "--headless" in words:
+                self.assertNotIn("viewer.toml", run.stderr)
+            else:
+                self.assertIn("viewer.toml:1:7: ", run.stderr)
+            self.assertEqual(path.read_text(encoding="utf-8"), "broken")
+        return run
 
     def test_a_picture_depends_on_the_options_only(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -206,6 +224,27 @@ class WithoutDisplay(unittest.TestCase):
         self.assertEqual(run.returncode, 2, run.stderr)
         self.assertIn("real time", run.stderr)
 
+    def test_a_picture_on_the_cloth_that_is_none_is_one_line_and_the_program_goes_on(self):
+        with tempfile.TemporaryDirectory() as folder:
+            small = ["wool-tropical", "--size", "9", "--headless", "--seconds", "0.02s", "--width", "480", "--height",
+                     "320", "--bare", "--zoom", "4", "--screenshot", f"{folder}/end.png"]
+            self.assertEqual(self.run_program(*small).returncode, 0)
+            plain = pathlib.Path(folder, "end.png").read_bytes()
+            pathlib.Path(folder, "text.png").write_text("no picture")
+            for name, message in [("none.png", "does not exist"), ("text.png", "no PNG picture")]:
+                run = self.run_program(*small, "--texture", f"{folder}/{name}")
+                self.assertEqual(run.returncode, 0, run.stderr)
+                told = [line for line in run.stderr.splitlines() if not line.startswith("wrote ")]
+                self.assertEqual(len(told), 1, run.stderr)
+                self.assertIn(f"{folder}/{name}: ", told[0])
+                self.assertIn(message, told[0])
+                self.assertEqual(png_size(pathlib.Path(folder, "end.png")), (480, 320))
+            pathlib.Path(folder, "own.png").write_bytes(plain)
+            run = self.run_program(*small, "--texture", f"{folder}/own.png", "--texture-width", "3cm")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertNotIn("warning", run.stderr)
+            self.assertNotEqual(pathlib.Path(folder, "end.png").read_bytes(), plain)
+
     def test_what_is_wrong_is_one_clear_line(self):
         for words, code, message in [
                 ([], 4, "there is no display"),
@@ -215,6 +254,8 @@ class WithoutDisplay(unittest.TestCase):
                 (["--scene", "paper_drape", "--headless", "--seconds", "0.1s"], 2, "corner_drape"),
                 (["--headless", "--seconds", "0s"], 2, "not above zero"),
                 (["--heat-map", "colour", "--headless", "--seconds", "0.1s"], 2, "warp-curvature"),
+                (["--weave", "--no-weave", "--headless", "--seconds", "0.1s"], 2, "exclude each other"),
+                (["--texture-width", "0mm", "--headless", "--seconds", "0.1s"], 2, "take 1mm to 10m"),
                 (["a", "b", "c", "d", "e", "--headless", "--seconds", "0.1s"], 2, "one to 4"),
                 (["--device", "nosuch", "--headless", "--seconds", "0.1s"], 2, "forcedimension"),
                 (["--headless", "--seconds", "0.1s", "--screenshot", "/nosuch/a.png"], 3, "/nosuch"),

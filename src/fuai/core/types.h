@@ -20,4 +20,14 @@ constexpr const char* to_string(Direction direction) {
   return kNames[static_cast<int>(direction)];
 }
 
+/// How the yarns of a fabric lie over each other.
+enum class WeaveStructure { kPlain = 0, kTwill = 1, kSatin = 2, kKnit = 3 };
+inline constexpr int kWeaveStructureCount = 4;
+
+/// "plain", "twill", "satin", "knit".
+constexpr const char* to_string(WeaveStructure structure) {
+  constexpr const char* kNames[] = {"plain", "twill", "satin", "knit"};
+  return kNames[static_cast<int>(structure)];
+}
+
 }  // namespace fuai

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "fuai/cloth/piece_mesh.h"
+#include "fuai/fabric/weave.h"
 
 namespace fuai {
 namespace {
@@ -169,6 +170,11 @@ ClothPicture engine_scene_picture(const EngineScene& scene, const ClothState& st
   cloth.thread_spacing = scene.model.spacing;
   picture.cloths.push_back(std::move(cloth));
   return picture;
+}
+
+YarnItem yarns_of(const Fabric& fabric) {
+  const Weave weave = weave_of(fabric);
+  return {weave.structure, weave.warp_pitch, weave.weft_pitch};
 }
 
 }  // namespace fuai

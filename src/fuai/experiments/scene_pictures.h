@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fuai/cloth/surface_mesh.h"
+#include "fuai/fabric/fabric.h"
 #include "fuai/picture/cloth_picture.h"
 #include "fuai/scenes/engine_scene.h"
 
@@ -43,6 +44,9 @@ ClothPicture engine_scene_picture(const EngineScene& scene, const ClothState& st
 /// cloth, no camera.
 /// @param positions of the cloth now [m]
 ClothPicture scene_stage_picture(const EngineScene& scene, std::span<const Vec3> positions);
+
+/// The yarns of a fabric for a cloth of a picture, see weave_of(). Thread class: any.
+YarnItem yarns_of(const Fabric& fabric);
 
 /// The pull of each hand, against what it feels, as an arrow from where it holds, with its newtons.
 /// @param hands readings of the hands that hold; others are left out. Thread class: set-up.

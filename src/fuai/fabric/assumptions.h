@@ -36,5 +36,9 @@ inline constexpr double kMassDrag = 1.5;
 inline constexpr double kAirNormalDrag = 1.2;
 inline constexpr double kAirTangentialDrag = 0.02;
 inline constexpr double kAirDensity = 1.2;
+/// Yarns per length of a woven fabric, loops per length of a knit [1/m]; they are looked at only. Shirtings
+/// and light worsteds have about 20 to 40 yarns a centimetre, single jerseys about 10 to 18 wales.
+inline constexpr double kWovenThreads = 24.0 * unit::kPerCentimetre;
+inline constexpr double kKnitLoops = 14.0 * unit::kPerCentimetre;
 
 }  // namespace fuai::assumed

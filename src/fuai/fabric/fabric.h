@@ -69,6 +69,13 @@ struct DrapeMeasurement {
   Known specimen_diameter;  ///< [m]
 };
 
+/// How the yarns lie; it is looked at only, nothing reads it to simulate.
+struct WeaveMeasurement {
+  std::optional<WeaveStructure> structure;
+  Known warp_threads;  ///< warp yarns per length of weft; of a knit its wales [1/m]
+  Known weft_threads;  ///< weft yarns per length of warp; of a knit its courses [1/m]
+};
+
 /// One fabric. Everything is optional but a name and an areal mass.
 struct Fabric {
   std::string id;           ///< file stem of a bundled fabric: "cupro-woven-su1098"
@@ -84,6 +91,7 @@ struct Fabric {
   SurfaceMeasurement surface;
   CompressionMeasurement compression;
   DrapeMeasurement drape;
+  WeaveMeasurement weave;
 
   std::vector<std::string> warnings;  ///< what a reader or fit found suspicious, in plain sentences
 };

@@ -140,6 +140,10 @@ std::vector<FabricField> fabric_fields(Fabric& fabric) {
   setting("drape", "disc_cm", "cm", unit::kCentimetre, FieldRange::kPositive, fabric.drape.disc_diameter);
   setting("drape", "specimen_cm", "cm", unit::kCentimetre, FieldRange::kPositive,
           fabric.drape.specimen_diameter);
+  setting("weave", "warp_threads_per_cm", "1/cm", unit::kPerCentimetre, FieldRange::kPositive,
+          fabric.weave.warp_threads);
+  setting("weave", "weft_threads_per_cm", "1/cm", unit::kPerCentimetre, FieldRange::kPositive,
+          fabric.weave.weft_threads);
   return fields;
 }
 

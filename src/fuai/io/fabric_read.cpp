@@ -20,6 +20,7 @@ namespace fuai {
 namespace {
 
 constexpr std::string_view kFormat = "fuai-fabric/1";
+constexpr const char* kTopLevel[] = {"format", "name", "composition", "structure", "note", "provenance"};
 
 /// Walks through the tables of one file and fills a fabric.
 class FabricReader {
@@ -115,7 +116,16 @@ class FabricReader {
   bool read_top_level(const std::string& key, const TomlNode& node) {
     if (key == "composition") fabric_.composition = text_of(node, key);
     if (key == "note") fabric_.note = text_of(node, key);
-    return key == "format" || key == "name" || key == "composition" || key == "note" || key == "provenance";
+    if (key == "structure") fabric_.weave.structure = structure_of(node);
+    return std::ranges::find(kTopLevel, key) != std::end(kTopLevel);
+  }
+
+  WeaveStructure structure_of(const TomlNode& node) const {
+    const std::string word = text_of(node, "structure");
+    for (int i = 0; i < kWeaveStructureCount; ++i)
+      if (word == to_string(static_cast<WeaveStructure>(i))) return static_cast<WeaveStructure>(i);
+    fail(node, "structure", "unknown structure '" + word.substr(0, 40) + "'",
+         "write plain, twill, satin or knit, the one that looks most like it");
   }
 
   bool read_number(const std::string& path, const TomlNode& node) {
@@ -174,7 +184,7 @@ class FabricReader {
              (converts ? " = " + brief_number(*number * unit->factor / field.to_si) : "");
     }
     std::vector<std::string> candidates = known_;
-    candidates.insert(candidates.end(), {"format", "name", "composition", "note", "provenance"});
+    candidates.insert(candidates.end(), std::begin(kTopLevel), std::end(kTopLevel));
     const std::vector<std::string> nearest = nearest_names(path, candidates);
     if (!nearest.empty()) return "the nearest known key is " + nearest.front();
     return "remove it; the fabric file format lists the known keys";

@@ -1,7 +1,6 @@
 // Writes fabric files (fuai-fabric/1).
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <utility>
 
@@ -11,28 +10,10 @@
 #include "fuai/io/fabric_file.h"
 #include "fuai/io/number_text.h"
 #include "fuai/io/text_file.h"
+#include "fuai/io/toml_tree.h"
 
 namespace fuai {
 namespace {
-
-/// A TOML basic string with quotes.
-std::string toml_string(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      result += '\\';
-      result += c;
-    } else if (byte < 0x20 || byte == 0x7F) {
-      char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04X", byte);
-      result += escape;
-    } else {
-      result += c;
-    }
-  }
-  return result + "\"";
-}
 
 std::string curve_file_name(const std::string& stem, const FabricCurveField& field) {
   return stem + "." + field.section + ".csv";
@@ -119,6 +100,7 @@ std::string format_fabric(const Fabric& fabric, const std::string& stem) {
 
   std::string text = "format = \"fuai-fabric/1\"\nname = " + toml_string(fabric.name) + "\n";
   if (!fabric.composition.empty()) text += "composition = " + toml_string(fabric.composition) + "\n";
+  if (fabric.weave.structure) text += "structure = " + toml_string(to_string(*fabric.weave.structure)) + "\n";
   if (!fabric.note.empty()) text += "note = " + toml_string(fabric.note) + "\n";
   Origins origins;
   std::string section;

@@ -7,6 +7,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cstdio>
 
 #include "fuai/core/error.h"
 #include "fuai/io/toml_guard.h"
@@ -64,6 +65,24 @@ TomlNode parse_toml(std::string_view text, const std::string& name) {
                 Where{name, static_cast<int>(at.line), static_cast<int>(at.column), {}},
                 "correct the TOML; the file may be cut off here");
   }
+}
+
+std::string toml_string(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      result += '\\';
+      result += c;
+    } else if (byte < 0x20 || byte == 0x7F) {
+      char escape[8];
+      std::snprintf(escape, sizeof escape, "\\u%04X", byte);
+      result += escape;
+    } else {
+      result += c;
+    }
+  }
+  return result + "\"";
 }
 
 }  // namespace fuai

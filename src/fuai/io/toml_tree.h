@@ -46,4 +46,7 @@ struct TomlMember {
 /// class: set-up.
 TomlNode parse_toml(std::string_view text, const std::string& name);
 
+/// A TOML basic string with its quotes. @param text UTF-8. Thread class: any.
+std::string toml_string(const std::string& text);
+
 }  // namespace fuai

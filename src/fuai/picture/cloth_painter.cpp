@@ -17,7 +17,7 @@ constexpr int kAmbientSize = 128;  // side of one depth picture of the soft ligh
 constexpr int kKeySize = 2048;     // side of the depth picture of the key light [texel]
 constexpr int kColourMapSize = 256;
 enum Kind { kCloth = 0, kObstacle = 1, kArrow = 2, kGround = 3 };
-enum Unit { kAmbientUnit = 0, kKeyUnit = 1, kColourMapUnit = 2 };
+enum Unit { kAmbientUnit = 0, kKeyUnit = 1, kColourMapUnit = 2, kTextureUnit = 3 };
 
 /// Vertices and triangles on the card.
 class GpuMesh {
@@ -129,6 +129,9 @@ struct ClothPainter::Part {
   Colour face, back;
   double thread_spacing = 0.0;
   bool mapped = false;
+  YarnItem yarns{};
+  std::shared_ptr<const Image> texture{};
+  double texture_width = 0.0;
   bool casts_shadow() const { return kind == kCloth || kind == kObstacle; }
 };
 
@@ -153,7 +156,8 @@ struct ClothPainter::Stage {
       parts.push_back({GpuMesh(make_draw_mesh(c)), kObstacle, c.colour, c.colour});
     for (const ClothItem& cloth : picture.cloths)
       parts.push_back({GpuMesh(make_draw_mesh(cloth, bar)), kCloth, cloth.face_colour, cloth.back_colour,
-                       cloth.thread_spacing, bar != nullptr && !cloth.mesh.values.empty()});
+                       cloth.thread_spacing, bar != nullptr && !cloth.mesh.values.empty(), cloth.yarns,
+                       cloth.texture, cloth.texture_width});
     for (const ArrowItem& arrow : picture.arrows) {
       const double radius = arrow.radius > 0.0 ? arrow.radius : arrow_radius;
       parts.push_back({GpuMesh(make_draw_mesh(arrow, radius)), kArrow, arrow.colour, arrow.colour});
@@ -218,6 +222,20 @@ void ClothPainter::set_colour_map(const ColourBar& bar) {
   glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8, kColourMapSize, 1, 0, GL_RGB, GL_UNSIGNED_BYTE, table.data());
 }
 
+void ClothPainter::set_texture(const std::shared_ptr<const Image>& image) {
+  if (image == texture_image_) return;
+  texture_image_ = image;
+  glActiveTexture(GL_TEXTURE0 + kTextureUnit);
+  glBindTexture(GL_TEXTURE_2D, texture_.name());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, image->width, image->height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+               image->pixels.data());
+  glGenerateMipmap(GL_TEXTURE_2D);
+  glActiveTexture(GL_TEXTURE0);
+}
+
 void ClothPainter::paint_depths(const std::vector<Part>& parts, const Light& light) {
   glBindFramebuffer(GL_FRAMEBUFFER, depth_framebuffer_.name());
   glDrawBuffer(GL_NONE);
@@ -252,6 +270,7 @@ void ClothPainter::set_light(const Light& light) const {
   p.set("key_depth", kKeyUnit);
   p.set("key_texel", 1.0 / kKeySize);
   p.set("colour_map", kColourMapUnit);
+  p.set("cloth_texture", kTextureUnit);
   // Off the surface by a few texels (2 R / size each), so that a surface does not shade itself.
   p.set("ambient_offset", 2.0 * light.casters.w() / kAmbientSize);
   p.set("key_offset", 7.0 * light.casters.w() / kKeySize);
@@ -261,15 +280,24 @@ void ClothPainter::set_light(const Light& light) const {
   glBindTexture(GL_TEXTURE_2D, key_depth_.name());
   glActiveTexture(GL_TEXTURE0 + kColourMapUnit);
   glBindTexture(GL_TEXTURE_2D, colour_map_.name());
+  glActiveTexture(GL_TEXTURE0 + kTextureUnit);
+  glBindTexture(GL_TEXTURE_2D, texture_.name());
   glActiveTexture(GL_TEXTURE0);
 }
 
-void ClothPainter::paint_part(const Part& part) const {
+void ClothPainter::paint_part(const Part& part) {
   surface_program_.set("kind", static_cast<int>(part.kind));
   surface_program_.set_colour("face_colour", part.face);
   surface_program_.set_colour("back_colour", part.back);
   surface_program_.set("thread_spacing", part.thread_spacing);
   surface_program_.set("mapped", part.mapped ? 1 : 0);
+  surface_program_.set("structure", static_cast<int>(part.yarns.structure));
+  surface_program_.set("yarn_pitch",
+                       part.mapped ? Vec2(0.0, 0.0) : Vec2(part.yarns.warp_pitch, part.yarns.weft_pitch));
+  const bool pictured = part.texture && !part.mapped;
+  if (pictured) set_texture(part.texture);
+  const double height = pictured ? part.texture_width * part.texture->height / part.texture->width : 0.0;
+  surface_program_.set("texture_size", Vec2(pictured ? part.texture_width : 0.0, height));
   // Cloth that lies on an obstacle is drawn in front of it, and obstacles in front of the ground.
   if (part.kind == kCloth || part.kind == kArrow) {
     glDisable(GL_POLYGON_OFFSET_FILL);
@@ -287,7 +315,7 @@ void ClothPainter::paint_part(const Part& part) const {
   part.mesh.draw();
 }
 
-void ClothPainter::paint_surfaces(const ClothPicture& picture, const Stage& stage, double aspect) const {
+void ClothPainter::paint_surfaces(const ClothPicture& picture, const Stage& stage, double aspect) {
   const Camera& camera = picture.camera;
   const auto [near, far] = depth_range(camera, stage.everything.centre(), stage.view_radius());
   const bool parallel = camera.parallel_height > 0.0;

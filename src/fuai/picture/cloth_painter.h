@@ -3,10 +3,11 @@
 // One picture is drawn in three phases:
 //   1. depth of the casters seen along each direction of the soft light (a texture array),
 //   2. depth of the casters seen along the key light (one finer texture),
-//   3. the surfaces: soft light at the vertices, key light, weave lines and colours at the pixels.
+//   3. the surfaces: soft light at the vertices, key light, weave lines, yarns and colours at the pixels.
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "fuai/picture/cloth_picture.h"
@@ -30,13 +31,15 @@ class ClothPainter {
   struct Light;
 
   void paint_depths(const std::vector<Part>& parts, const Light& light);
-  void paint_part(const Part& part) const;
-  void paint_surfaces(const ClothPicture& picture, const Stage& stage, double aspect) const;
+  void paint_part(const Part& part);
+  void paint_surfaces(const ClothPicture& picture, const Stage& stage, double aspect);
   void set_light(const Light& light) const;
   void set_colour_map(const ColourBar& bar);
+  void set_texture(const std::shared_ptr<const Image>& image);
 
   GlProgram depth_program_, surface_program_;
-  GlTexture ambient_depth_, key_depth_, colour_map_;
+  GlTexture ambient_depth_, key_depth_, colour_map_, texture_;
+  std::shared_ptr<const Image> texture_image_;  // what texture_ holds
   GlFramebuffer depth_framebuffer_;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,8 +10,17 @@
 #include "fuai/cloth/surface_mesh.h"
 #include "fuai/core/types.h"
 #include "fuai/picture/colour_map.h"
+#include "fuai/picture/image.h"
 
 namespace fuai {
+
+/// The yarns themselves, as light and shade on the surface at their true size. They fade out where a pixel is
+/// about as large as a yarn, and they never change the mean light.
+struct YarnItem {
+  WeaveStructure structure = WeaveStructure::kPlain;
+  double warp_pitch = 0.0;  ///< distance of warp yarns, of a knit of its wales [m]; 0: no yarns
+  double weft_pitch = 0.0;  ///< distance of weft yarns, of a knit of its courses [m]
+};
 
 /// One piece of cloth. Lines of the weave are drawn from the material coordinates: warp lines run along the
 /// warp in the colour of warp, weft lines along the weft in the colour of weft.
@@ -19,6 +29,9 @@ struct ClothItem {
   Colour face_colour{0.93, 0.89, 0.82, 1.0};  ///< side from which the triangles run counter-clockwise
   Colour back_colour{0.70, 0.74, 0.79, 1.0};  ///< the other side
   double thread_spacing = 0.01;               ///< distance of the lines of the weave [m]; 0: no lines
+  YarnItem yarns{};                           ///< not where values are shown in colour
+  std::shared_ptr<const Image> texture{};     ///< on both sides, over their colours; repeated; may be empty
+  double texture_width = 0.1;                 ///< what the width of that picture is on the cloth [m]
 };
 
 /// A block with sides along the axes, e.g. a table.

@@ -43,6 +43,11 @@ GlProgram::GlProgram(const char* vertex_source, const char* fragment_source) {
   throw Error(ErrorKind::kNoDevice, "a shader program does not link: " + log, {}, kCure);
 }
 
+void GlProgram::set(const char* name, const Vec2& v) const {
+  const Eigen::Vector2f f = v.cast<float>();
+  glUniform2fv(at(name), 1, f.data());
+}
+
 void GlProgram::set(const char* name, const Vec3& v) const {
   const Eigen::Vector3f f = v.cast<float>();
   glUniform3fv(at(name), 1, f.data());

@@ -18,6 +18,7 @@ class GlProgram {
   void use() const { glUseProgram(program_.name()); }
   void set(const char* name, int value) const { glUniform1i(at(name), value); }
   void set(const char* name, double value) const { glUniform1f(at(name), static_cast<float>(value)); }
+  void set(const char* name, const Vec2& v) const;
   void set(const char* name, const Vec3& v) const;
   void set(const char* name, const Eigen::Vector4d& v) const;
   void set(const char* name, const Eigen::Matrix4d& m) const;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fuai {
@@ -35,6 +36,14 @@ Image tile_images(const std::vector<Image>& images, int columns);
 /// Straight alpha instead of colours that were multiplied by alpha in linear light, as the painter leaves
 /// them. Thread class: any.
 void make_alpha_straight(Image& image);
+
+/// Longest side that decode_png() takes [pixel].
+inline constexpr int kLargestPictureSide = 8192;
+
+/// The picture of a PNG file; what has no alpha is opaque. Throws Error kBadInput, naming the file, when it
+/// is no PNG, broken or larger than kLargestPictureSide; kNoDevice when built without pictures.
+/// @param name of the file, for messages. Thread class: set-up.
+Image decode_png(std::string_view bytes, const std::string& name);
 
 /// The bytes of a PNG file. Throws Error kNoDevice when built without pictures. Thread class: set-up.
 std::string encode_png(const Image& image);

@@ -85,6 +85,10 @@ uniform vec3 unknown_colour;
 uniform int mapped;             // 1: colour from the map
 uniform sampler2D colour_map;
 uniform float thread_spacing;   // [m], 0: no lines
+uniform vec2 yarn_pitch;        // distance of the yarns of warp and weft [m], 0: no yarns
+uniform int structure;          // WeaveStructure: 0 plain, 1 twill 2/2, 2 satin of five, 3 knit
+uniform vec2 texture_size;      // width and height of the picture on the cloth [m], 0: none
+uniform sampler2D cloth_texture;
 uniform vec4 ground_shape;      // centre x, centre y, radius, grid [m]
 uniform vec3 key_direction;
 uniform vec3 fill_direction;
@@ -112,14 +116,83 @@ float key_visibility(vec3 p) {
   return sum / 25.0;
 }
 
+// Whether the warp lies above the weft at a crossing, seen from the face.
+bool warp_above(vec2 crossing) {
+  // Halves are added so that no quotient lies on a whole number, where drivers round as they like.
+  if (structure == 1) return mod(crossing.x - crossing.y + 0.5, 4.0) < 2.0;
+  if (structure == 2) return mod(crossing.x + 2.0 * crossing.y + 0.5, 5.0) > 1.0;
+  return mod(crossing.x + crossing.y + 0.5, 2.0) < 1.0;
+}
+
+// A saw tooth, which runs from -1/2 to 1/2 between seams, as a pixel of this footprint sees it.
+vec2 seen_tooth(vec2 g, vec2 footprint) {
+  vec2 half_pixel = clamp(0.5 * footprint, 1e-3, 0.25), g0 = abs(g);
+  return sign(g) * min(g0, (0.5 - g0) * (0.5 - half_pixel) / half_pixel);
+}
+
+// Height of the yarns above their mean, 1 from the seam to the crown of a yarn, and its slopes along weft and
+// warp [1/yarn]. Yarns are parabolas across, and dive at the ends of their floats, less steeply than they are
+// round: that makes a crossing longer than wide. All means are zero.
+vec3 woven(vec2 place, vec2 footprint, bool front) {
+  vec2 crossing = floor(place), f = place - crossing - 0.5;
+  bool warp = warp_above(crossing) == front;
+  vec2 g = warp ? f : f.yx;  // across and along the yarn on top
+  vec2 next = (g.y < 0.0 ? -1.0 : 1.0) * (warp ? vec2(0.0, 1.0) : vec2(1.0, 0.0));
+  const float depth = 0.45;
+  float dives = (warp_above(crossing + next) == front) == warp ? 0.0 : depth;
+  // Part of the half yarns that dive: all, every second, two of five.
+  float diving = structure == 1 ? 0.5 : structure == 2 ? 0.4 : 1.0;
+  vec2 slope = -8.0 * seen_tooth(g, warp ? footprint : footprint.yx) * vec2(1.0, dives);
+  return vec3((1.0 + depth * diving) / 3.0 - 4.0 * (g.x * g.x + dives * g.y * g.y), warp ? slope : slope.yx);
+}
+
+// The same of a jersey: two legs a wale, which lean apart; on the back the arcs between them.
+vec3 knitted(vec2 place, vec2 footprint, bool front) {
+  float x = fract(front ? place.x : place.x + 0.5) - 0.5, side = x < 0.0 ? -1.0 : 1.0;
+  float lean = front ? 1.2 : -0.6;
+  vec2 leg = vec2(2.0 * abs(x) - 0.5, fract(place.y - lean * abs(x)) - 0.5);  // across and along it
+  vec2 slope = -8.0 * seen_tooth(leg, footprint);
+  return vec3(2.0 / 3.0 - 4.0 * dot(leg, leg), side * (2.0 * slope.x - lean * slope.y), slope.y);
+}
+
+// How yarns tilt the surface (what is added to the normal), and in the fourth part how far the place lies above
+// the mean; zero where a yarn is hardly larger than a pixel.
+vec4 yarn_relief(vec3 n, bool front) {
+  vec3 along_x = dFdx(world), along_y = dFdy(world);
+  vec2 place_x = dFdx(cloth_place), place_y = dFdy(cloth_place);
+  vec2 footprint = (abs(place_x) + abs(place_y)) / yarn_pitch;
+  // A leg of a knit is half a wale wide.
+  if (structure == 3) footprint.x *= 2.0;
+  float seen = 1.0 - smoothstep(0.2, 0.5, max(footprint.x, footprint.y));
+  if (seen <= 0.0) return vec4(0.0);
+  vec2 place = cloth_place / yarn_pitch;
+  vec3 yarn = structure == 3 ? knitted(place, footprint, front) : woven(place, footprint, front);
+  // Gradients of the material coordinates along the surface [1], from their derivatives on the screen.
+  vec3 a = cross(along_y, n), b = cross(n, along_x);
+  float area = dot(along_x, a);
+  if (abs(area) < 1e-20) return vec4(0.0);
+  vec3 weft = (a * place_x.x + b * place_y.x) / area, warp = (a * place_x.y + b * place_y.y) / area;
+  // Height of a yarn in parts of its pitch: what keeps tilts below 0.85.
+  float relief = structure == 3 ? 0.06 : 0.19;
+  vec3 tilt = -relief * (yarn.y * weft + yarn.z * warp);
+  // Only cloth that is pressed together, as a picture of a failed step may show, has steeper yarns.
+  return seen * vec4(tilt * min(1.0, 0.85 / max(length(tilt), 1e-6)), yarn.x);
+}
+
+// A light's cosine with the tilt of the yarns: its mean over the yarns is that without them, because no yarn
+// takes away more than there is (tilts reach 0.85).
+float tilted(float cosine, float tilt) { return cosine + min(cosine / 0.85, 1.0) * tilt; }
+
 // Light on a white surface that faces n: about 1 when nothing shades it and it faces the key light.
-float light_on(vec3 n, float soft, vec3 to_eye) {
-  // Where no sky is seen, light still arrives by way of other surfaces.
-  soft = 0.22 + 0.78 * soft;
+float light_on(vec3 n, float soft, vec3 to_eye, vec4 yarns) {
+  // Where no sky is seen, light still arrives by way of other surfaces; less of it between yarns.
+  soft = (0.22 + 0.78 * soft) * (1.0 + 0.25 * yarns.w);
   float key = max(dot(n, key_direction), 0.0);
-  if (key > 0.0) key *= key_visibility(world + key_offset * n);
-  float fill = max(dot(n, fill_direction), 0.0) * soft;
-  float sheen = pow(1.0 - max(dot(n, to_eye), 0.0), 3.0) * soft;
+  if (key > 0.0) key = tilted(key, dot(yarns.xyz, key_direction)) * key_visibility(world + key_offset * n);
+  float fill = max(dot(n, fill_direction), 0.0);
+  fill = tilted(fill, dot(yarns.xyz, fill_direction)) * soft;
+  // Rounding makes the cosine more than 1 at times, and a power of less than nothing a black pixel.
+  float sheen = pow(clamp(1.0 - dot(n, to_eye), 0.0, 1.0), 3.0) * soft;
   return 0.60 * key + 0.16 * fill + 0.40 * soft + 0.06 * sheen;
 }
 
@@ -130,6 +203,11 @@ vec3 cloth_albedo(bool front) {
   float warp = lines(place.x, footprint.x, 0.08), weft = lines(place.y, footprint.y, 0.08);
   if (thread_spacing <= 0.0) warp = weft = 0.0;
   vec3 own = front ? face_colour : back_colour;
+  if (texture_size.x > 0.0) {
+    // Rows of a picture count downward, the warp coordinate upward.
+    vec4 picture = texture(cloth_texture, cloth_place * vec2(1.0, -1.0) / texture_size);
+    own = mix(own, picture.rgb, picture.a);
+  }
   if (mapped == 0) return mix(mix(own, warp_colour, 0.75 * warp), weft_colour, 0.75 * weft);
   own = map_place.y > 0.999 ? texture(colour_map, vec2(map_place.x, 0.5)).rgb : unknown_colour;
   return own * (1.0 - 0.30 * max(warp, weft));
@@ -148,7 +226,8 @@ void main() {
     colour = vec4(face_colour * (0.60 + 0.40 * max(dot(n, normalize(to_eye + vec3(0.0, 0.0, 0.6))), 0.0)), 1.0);
     return;
   }
-  float light = light_on(n, soft, to_eye);
+  vec4 yarns = kind == 0 && yarn_pitch.x > 0.0 ? yarn_relief(n, front) : vec4(0.0);
+  float light = light_on(n, soft, to_eye, yarns);
   if (kind == 0) {
     // Values are read off the colour: the light models them less.
     colour = vec4(cloth * (mapped == 1 ? mix(1.0, light, 0.65) : light), 1.0);

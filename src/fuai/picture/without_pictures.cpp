@@ -27,6 +27,7 @@ OffscreenRenderer make_offscreen_renderer() { fail(); }
 Image OffscreenRenderer::render(const ClothPicture&, int, int) { fail(); }
 
 std::string encode_png(const Image&) { fail(); }
+Image decode_png(std::string_view, const std::string&) { fail(); }
 std::string plot_png(const PlotGrid&, int, int, double) { fail(); }
 std::string plot_png(const Plot&, int, int, double) { fail(); }
 std::string plot_svg(const PlotGrid&, int, int) { fail(); }

@@ -82,8 +82,11 @@ void act(ViewerState& state, KeyAction action) {
     case KeyAction::kArrows:
       s.arrows = !s.arrows;
       break;
-    case KeyAction::kWeave:
-      s.weave = !s.weave;
+    case KeyAction::kLines:
+      s.lines = !s.lines;
+      break;
+    case KeyAction::kYarns:
+      s.yarns = !s.yarns;
       break;
     case KeyAction::kGround:
       s.ground = !s.ground;

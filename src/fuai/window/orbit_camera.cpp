@@ -46,6 +46,10 @@ void OrbitCamera::zoom(double notches, const Vec2& place, double aspect) noexcep
   target_ += before - offset(place, aspect);
 }
 
+void OrbitCamera::approach(double times) noexcept {
+  distance_ = std::clamp(distance_ / times, kNearest, kFarthest);
+}
+
 Camera OrbitCamera::camera() const {
   Camera camera;
   camera.target = target_;

@@ -28,6 +28,8 @@ class OrbitCamera {
   /// Goes nearer (notches > 0) or farther; what the cursor is at stays under it, at the target's depth.
   /// @param place of the cursor: -1 to 1 from left to right and from bottom to top @param aspect of the view
   void zoom(double notches, const Vec2& place, double aspect) noexcept;
+  /// Goes so many times nearer to the target, within the limits of zoom(). @param times above 0
+  void approach(double times) noexcept;
   /// Looks at another point from the same direction and distance. @param point [m]
   void look_at(const Vec3& point) noexcept { target_ = point; }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "fuai/fabric/weave.h"
+#include "fuai/units/constants.h"
 #include "fuai/window/viewer_state.h"
 #include "fuai/window/viewer_work.h"
 
@@ -122,6 +124,25 @@ void sliders(ViewerState& state, std::size_t place) {
   }
 }
 
+/// "twill, 24 × 24 yarns/cm (assumed)": what the yarns are drawn from.
+void weave_line(const ViewerState& state, const Fabric& fabric) {
+  constexpr TextId kNames[] = {TextId::kPlainWeave, TextId::kTwill, TextId::kSatin, TextId::kKnit};
+  static_assert(std::size(kNames) == kWeaveStructureCount);
+  const Weave weave = weave_of(fabric);
+  const std::string assumed = std::string(" (") + state.text(TextId::kAssumed) + ")";
+  char threads[48];
+  std::snprintf(threads, sizeof threads, ", %.3g × %.3g ", unit::kCentimetre / weave.warp_pitch,
+                unit::kCentimetre / weave.weft_pitch);
+  const std::string text =
+      state.text(kNames[static_cast<std::size_t>(weave.structure)]) +
+      (weave.structure_assumed ? assumed : "") + threads +
+      state.text(weave.structure == WeaveStructure::kKnit ? TextId::kLoopsPerCm : TextId::kYarnsPerCm) +
+      (weave.threads_assumed ? assumed : "");
+  ImGui::PushTextWrapPos(0.0F);
+  ImGui::TextDisabled("%s", text.c_str());
+  ImGui::PopTextWrapPos();
+}
+
 void fabric_page(ViewerState& state, std::size_t place) {
   choose_fabric(state, place);
   const Fabric& measured = state.document.setup().fabrics[place].measured;
@@ -135,6 +156,7 @@ void fabric_page(ViewerState& state, std::size_t place) {
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
   }
+  weave_line(state, measured);
   number_table(state, place);
   sliders(state, place);
 }

@@ -52,7 +52,8 @@ void view_menu(ViewerState& state) {
   check(state, KeyAction::kInfo, TextId::kKeyInfo, s.fabric_panel);
   check(state, KeyAction::kPlots, TextId::kKeyPlots, s.plots);
   check(state, KeyAction::kArrows, TextId::kKeyArrows, s.arrows);
-  check(state, KeyAction::kWeave, TextId::kKeyWeave, s.weave);
+  check(state, KeyAction::kLines, TextId::kKeyLines, s.lines);
+  check(state, KeyAction::kYarns, TextId::kKeyYarns, s.yarns);
   check(state, KeyAction::kGround, TextId::kKeyGround, s.ground);
   ImGui::Separator();
   entry(state, KeyAction::kUnits, TextId::kKeyUnits);

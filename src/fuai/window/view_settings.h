@@ -12,7 +12,9 @@ struct ViewSettings {
   Language language = Language::kEnglish;
   UnitSystem units = UnitSystem::kKes;
   bool dark = true;
-  bool arrows = true, weave = true, ground = true;
+  bool arrows = true, ground = true;
+  bool lines = true;  ///< of the weave, one each spacing of the lattice
+  bool yarns = true;  ///< at their true size
   bool fabric_panel = true, plots = true, help = false;
   int heat_map = -1;  ///< ClothField, -1: none
   bool auto_range = true;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -21,6 +22,7 @@
 #include "fuai/io/text_file.h"
 #include "fuai/picture/cloth_painter.h"
 #include "fuai/runtime/paced_thread.h"
+#include "fuai/window/kept_settings.h"
 #include "fuai/window/ui_style.h"
 #include "fuai/window/viewer_files.h"
 #include "fuai/window/viewer_host.h"
@@ -75,7 +77,10 @@ class Viewer {
   explicit Viewer(const ViewerOptions& options) : options_(options), state_(setup_of(options)) {
     state_.settings = options.settings;
     state_.fabric_names = bundled_fabric_ids();
-    state_.browse_folder = data_folder();
+    std::error_code code;  // a folder that is gone, or cannot be looked at, is not offered
+    const std::string& folder = options.kept.folder;
+    state_.browse_folder = std::filesystem::is_directory(folder, code) ? folder : data_folder();
+    load_texture();
     begin_session(state_);
     open_device();
     if (options_.rumble) open_rumble();
@@ -101,10 +106,33 @@ class Viewer {
     result.picture_ms = median(picture_times_);
     result.paint_ms = median(paint_times_);
     result.renderer = renderer_;
+    keep_settings();
     return result;
   }
 
  private:
+  void say(const std::string& line) const {
+    if (options_.say) options_.say(line);
+  }
+
+  void load_texture() {
+    if (options_.texture.empty()) return;
+    const std::string told = lay_texture(state_, options_.texture, options_.texture_width);
+    if (!told.empty()) say(told);
+  }
+
+  void keep_settings() const {
+    if (options_.settings_file.empty()) return;
+    KeptSettings keep = options_.kept;
+    keep.settings = settings_to_keep(options_.kept.settings, options_.settings, state_.settings);
+    if (state_.browse_folder != data_folder()) keep.folder = state_.browse_folder;
+    try {
+      write_kept_settings(options_.settings_file, keep);
+    } catch (const Error& e) {
+      say(e.what());  // a window that ends well ends well
+    }
+  }
+
   static ViewSetup setup_of(const ViewerOptions& options) {
     ViewSetup setup = make_view_setup(options.scene, options.fabrics, options.size);
     setup.scene_moves = options.scene_moves;
@@ -193,7 +221,7 @@ class Viewer {
     for (const ViewFabric& fabric : state_.document.setup().fabrics)
       names += fabric.measured.name + fabric.measured.composition;
     const std::string missing = load_fonts(std::round(kLetters * state_.settings.scale), names);
-    if (!missing.empty() && options_.say) options_.say(missing);
+    if (!missing.empty()) say(missing);
     apply_theme(state_.settings.dark, state_.settings.scale);
     painter_ = std::make_unique<ClothPainter>();
     files_ = std::make_unique<ViewerFiles>(options_.folder, options_.version);
@@ -204,6 +232,10 @@ class Viewer {
     if (device_ || steps_itself()) return;
     thread_ = std::make_unique<PacedThread>(
         [session = state_.session.get()] { return session->tick(PacedThread::now_us()); }, kViewStep);
+  }
+
+  void aim() {
+    if (options_.zoom > 1.0) look_at_cloth(state_);
   }
 
   void step_cloths() {
@@ -255,6 +287,8 @@ class Viewer {
     state_.tiles = make_tiles(lay_out(state_).view, state_.meshes.size());
     if (frame_next_) {
       frame_view(state_);
+      aim();
+      state_.camera.approach(options_.zoom);
       framed_scene_ = state_.built.scene;
       frame_next_ = false;
     }
@@ -308,6 +342,7 @@ class Viewer {
   void write_screenshot() {
     // Once more, with what the last ticks made; of the whole window, panels included.
     take_snapshot(state_);
+    if (!options_.window) aim();  // nobody could follow the cloth
     host_->begin_frame();
     ImGui::NewFrame();
     state_.tiles = make_tiles(lay_out(state_).view, state_.meshes.size());

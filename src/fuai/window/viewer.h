@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "fuai/scenes/engine_scene.h"
-#include "fuai/window/view_settings.h"
+#include "fuai/window/kept_settings.h"
 
 namespace fuai {
 
@@ -32,6 +32,11 @@ struct ViewerOptions {
   double seconds = 0.0;            ///< simulated time after which it ends [s]; 0: until it is closed
   std::string device;              ///< "driver" or "driver:model"; empty or "mouse": the mouse alone
   bool rumble = false;             ///< a gamepad rumbles with the force on the hand of the user
+  double zoom = 1.0;               ///< how many times nearer than where everything is seen
+  std::string texture;             ///< PNG that lies on the cloths; what is wrong with it is told by `say`
+  double texture_width = 0.1;      ///< width of that picture on the cloth [m]
+  KeptSettings kept;               ///< as they were read
+  std::string settings_file;       ///< where settings are kept at the end; empty: nowhere
   std::string screenshot;          ///< PNG written at the end
   std::string record;              ///< recording written from the start
   std::string folder = ".";        ///< where pictures, videos and logs go

@@ -81,6 +81,9 @@ struct ViewerState {
   std::vector<std::vector<FabricNumber>> numbers;  ///< by fabric, as measured
   std::optional<FabricComparison> comparison;      ///< when there are several
 
+  std::shared_ptr<const Image> texture;  ///< of all cloths; may be empty
+  double texture_width = 0.1;            ///< [m]
+
   HandBook hands;
   ShownDevice device;
   Drag drag;

@@ -8,6 +8,7 @@
 
 #include "fuai/core/error.h"
 #include "fuai/experiments/scene_pictures.h"
+#include "fuai/io/text_file.h"
 #include "fuai/io/threshold_file.h"
 #include "fuai/scenes/catalogue.h"
 #include "fuai/window/ui_style.h"
@@ -194,6 +195,25 @@ void frame_view(ViewerState& state) {
   state.camera.frame(bounds, view.azimuth, view.elevation, aspect);
 }
 
+void look_at_cloth(ViewerState& state) {
+  const std::vector<Vec3>& places = state.meshes.front().mesh.positions;
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& p : places) middle += p / static_cast<double>(places.size());
+  state.camera.look_at(
+      *std::ranges::min_element(places, {}, [&](const Vec3& p) { return (p - middle).squaredNorm(); }));
+}
+
+std::string lay_texture(ViewerState& state, const std::string& path, double width) {
+  try {
+    state.texture = std::make_shared<const Image>(decode_png(read_bytes(path), path));
+    state.texture_width = width;
+    return {};
+  } catch (const Error& e) {
+    state.say(e.what(), true);
+    return e.what();
+  }
+}
+
 void add_view_fabric(ViewerState& state, const std::string& source) {
   try_change(state, [&](ViewSetup& setup) { setup.fabrics.push_back(load_view_fabric(source)); });
 }
@@ -239,7 +259,10 @@ ClothPicture cloth_picture(const ViewerState& state, std::size_t cloth, int ambi
   picture.ground.colour = ground_colour(settings.dark);
   ClothItem item;
   item.mesh = state.meshes[cloth].mesh;
-  item.thread_spacing = settings.weave ? scene.model.spacing : 0.0;
+  item.thread_spacing = settings.lines ? scene.model.spacing : 0.0;
+  if (settings.yarns) item.yarns = yarns_of(state.built.fabrics[cloth].measured);
+  item.texture = state.texture;
+  item.texture_width = state.texture_width;
   if (settings.heat_map >= 0 && !state.vertex_values[cloth].empty()) {
     const HeatRange range = heat_range(state);
     item.mesh.values = state.vertex_values[cloth];

@@ -28,6 +28,13 @@ void take_snapshot(ViewerState& state);
 /// Sees all of the scene. Thread class: the window's.
 void frame_view(ViewerState& state);
 
+/// Looks at the vertex nearest to the middle of the first cloth: the middle itself may lie beside it. Thread
+/// class: the window's.
+void look_at_cloth(ViewerState& state);
+/// Lays the picture of a PNG file on the cloths. @param width of the picture on the cloth [m]
+/// @return what was wrong, which the window tells too; empty: nothing. Thread class: the window's.
+std::string lay_texture(ViewerState& state, const std::string& path, double width);
+
 /// Changes of the document; an error is told and changes nothing. Thread class: the window's.
 void add_view_fabric(ViewerState& state, const std::string& source);
 void set_view_fabric(ViewerState& state, std::size_t place, const std::string& source);
