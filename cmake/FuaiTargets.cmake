@@ -9,8 +9,10 @@ endif()
 add_library(fuai_options INTERFACE)
 target_compile_features(fuai_options INTERFACE cxx_std_20)
 target_compile_options(fuai_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wold-style-cast -Wnon-virtual-dtor
+  -Wall -Wextra -Wpedantic -Wconversion -Wold-style-cast -Wnon-virtual-dtor
   -Woverloaded-virtual -Wcast-qual -Wformat=2 -ffp-contract=off
+  # Joined, headers meet that no source includes together: an enumerator of one may have the name of another's constant.
+  $<$<NOT:$<BOOL:${FUAI_JOIN}>>:-Wshadow>
   $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-cond -Wlogical-op -Wno-restrict>  # -Wrestrict: false alarms of g++ 12 (bug 105651)
   $<$<BOOL:${FUAI_WERROR}>:-Werror>)
 if(FUAI_ASSERTIONS)
@@ -60,8 +62,6 @@ function(fuai_joined target)
     set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "group${group}")
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  # Headers that no source includes together meet here: an enumerator of one may have the name of another's constant.
-  target_compile_options(${target} PRIVATE -Wno-shadow)
 endfunction()
 
 # fuai_layer(<name> SOURCES ... HEADERS ... [PUBLIC libs...] [PRIVATE libs...])
