@@ -1,5 +1,5 @@
-// bench_engine [--markdown FILE] [--quick] [--only speed|kernels|accuracy]: speed, kernels, limits and
-// accuracy of the cloth engine.
+// Speed, threads, kernels, limits and accuracy of the cloth engine: bench_engine [--markdown FILE] [--quick]
+// [--only speed|threads|kernels|accuracy].
 // SPDX-License-Identifier: Apache-2.0
 #include "bench_engine.h"
 
@@ -77,8 +77,9 @@ int run(int count, char** arguments) {
     } else if (argument == "--only" && i + 1 < count) {
       only = arguments[++i];
     } else {
-      std::fprintf(stderr,
-                   "usage: bench_engine [--markdown FILE] [--quick] [--only speed|kernels|accuracy]\n");
+      std::fprintf(
+          stderr,
+          "usage: bench_engine [--markdown FILE] [--quick] [--only speed|threads|kernels|accuracy]\n");
       return 2;
     }
   }
@@ -87,6 +88,7 @@ int run(int count, char** arguments) {
   const MachineLimits limits = measure_machine(quick ? 40 : 200);
   report_machine(report, limits);
   if (only.empty() || only == "speed") report_speed(report, quick);
+  if (only.empty() || only == "threads") report_threads(report, quick);
   if (only.empty() || only == "kernels") report_kernels(report, limits, quick);
   if (only.empty() || only == "accuracy") report_accuracy(report, quick);
   report_load(report, load_before, load_average());

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "bench_engine.h"
-#include "fuai/core/hash.h"
 #include "fuai/fabric/scalar_laws.h"
 #include "fuai/solver/explicit.h"
 #include "fuai/solver/implicit.h"
@@ -38,12 +37,6 @@ struct Contender {
   std::vector<double> microseconds{};  ///< a tick
   long calls = 0;
 };
-
-std::string hash_of(const std::vector<Vec3>& positions) {
-  StateHash hash;
-  for (const Vec3& x : positions) hash.add(x.data(), 3 * sizeof(double));
-  return hash.hex();
-}
 
 /// Totals over the ticks of an implicit solver.
 struct ImplicitRun {

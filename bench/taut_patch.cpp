@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fuai/cloth/cloth_piece.h"
+#include "fuai/core/hash.h"
 #include "fuai/fabric/curve_table.h"
 #include "fuai/fabric/scalar_laws.h"
 #include "fuai/scenes/engine_scenes.h"
@@ -77,6 +78,12 @@ ClothModel two_corner_square(int side) { return bench_square(side, {side * (side
 Vec3 TautPatch::target(double time) const {
   return start.positions[static_cast<std::size_t>(grasp)] +
          (motion->hand(0, time).position - motion->hand(0, 0.0).position);
+}
+
+std::string hash_of(const std::vector<Vec3>& positions) {
+  StateHash hash;
+  for (const Vec3& x : positions) hash.add(x.data(), 3 * sizeof(double));
+  return hash.hex();
 }
 
 TautPatch make_taut_patch(int side, double spacing) {

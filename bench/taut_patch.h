@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "fuai/cloth/cloth_model.h"
@@ -26,6 +27,9 @@ fuai::ClothModel bench_square(int side, const std::vector<int>& held);
 
 /// Held at the two corners of the top row. Thread class: set-up.
 fuai::ClothModel two_corner_square(int side);
+
+/// Their hash in hexadecimal digits. Thread class: any.
+std::string hash_of(const std::vector<fuai::Vec3>& positions);
 
 /// The scene taut_patch of the catalogue in the cloth of the benches, at rest at first: its sheet, clamp and
 /// pull, but one node, the middle of the bottom row, moved instead of a fingertip, so that the force has no
