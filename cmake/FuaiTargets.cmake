@@ -12,7 +12,7 @@ target_compile_options(fuai_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wold-style-cast -Wnon-virtual-dtor
   -Woverloaded-virtual -Wcast-qual -Wformat=2 -ffp-contract=off
   # Joined, headers meet that no source includes together: an enumerator of one may have the name of another's constant.
-  $<$<NOT:$<BOOL:${FUAI_JOIN}>>:-Wshadow>
+  $<IF:$<AND:$<BOOL:${FUAI_JOIN}>,$<CXX_COMPILER_ID:GNU>>,-Wshadow=local,-Wshadow>
   $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-cond -Wlogical-op -Wno-restrict>  # -Wrestrict: false alarms of g++ 12 (bug 105651)
   $<$<BOOL:${FUAI_WERROR}>:-Werror>)
 if(FUAI_ASSERTIONS)

@@ -177,11 +177,10 @@ class FabricReader {
           kes_quantity(*field.kes).symbol != words[0])
         continue;
       const std::optional<Unit> unit = unit_from_words({words.begin() + 1, words.end()});
-      const std::optional<double> number = node.is_number() ? std::optional(node.number) : std::nullopt;
       const bool converts =
-          words.size() > 1 && unit && number && unit->dimension == parse_unit(field.unit).dimension;
+          words.size() > 1 && unit && node.is_number() && unit->dimension == parse_unit(field.unit).dimension;
       return "write " + field.key +
-             (converts ? " = " + brief_number(*number * unit->factor / field.to_si) : "");
+             (converts ? " = " + brief_number(node.number * unit->factor / field.to_si) : "");
     }
     std::vector<std::string> candidates = known_;
     candidates.insert(candidates.end(), std::begin(kTopLevel), std::end(kTopLevel));
