@@ -1,16 +1,14 @@
 // Force error and time on the taut patch: the implicit step against the explicit oracle.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Error: root of the mean square of |F - F_ref| over that of |F_ref|, F the force on the grasped node at the
-// end of each tick, from kIgnored on. F_ref: the oracle with its substeps halved until two runs agree.
+// Error: force_error() of the force on the grasped node at the end of each tick. The reference is the oracle
+// with its substeps halved until two runs agree.
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <string>
 
 #include "bench_engine.h"
-#include "fuai/solver/explicit.h"
-#include "fuai/solver/implicit.h"
 #include "taut_patch.h"
 #include "thread_clock.h"
 
@@ -19,7 +17,6 @@ namespace {
 
 using namespace fuai;
 
-constexpr double kIgnored = 0.1;     ///< the grasp sets off [s]
 constexpr double kAgreement = 1e-3;  ///< of two references
 constexpr int kMostHalvings = 3;     ///< of the reference's substep
 constexpr double kWanted = 1e-2;     ///< force error that the time is asked for
@@ -31,16 +28,6 @@ struct Trace {
   std::vector<double> microseconds{};
 };
 
-/// Relative error of a trace; not finite when the trace is not.
-double force_error(const std::vector<Vec3>& forces, const std::vector<Vec3>& reference) {
-  double difference = 0.0, size = 0.0;
-  for (auto i = static_cast<std::size_t>(kIgnored / kTick); i < reference.size(); ++i) {
-    difference += (forces[i] - reference[i]).squaredNorm();
-    size += reference[i].squaredNorm();
-  }
-  return std::sqrt(difference / size);
-}
-
 double largest(const std::vector<Vec3>& forces) {
   double most = 0.0;
   for (const Vec3& force : forces) most = std::max(most, force.norm());
@@ -48,26 +35,12 @@ double largest(const std::vector<Vec3>& forces) {
 }
 
 Trace run_explicit(const TautPatch& patch, int substeps, int ticks) {
-  SolverExplicit solver;
-  ExplicitOptions options;
-  options.substeps = substeps;
-  solver.prepare(patch.model, patch.material, options);
-  ClothState state = patch.start;
-  std::vector<Vec3> held;
-  std::size_t grasp = 0;
-  for (int slot : solver.fixed_slots()) {
-    if (slot == patch.grasp) grasp = held.size();
-    held.push_back(state.positions[static_cast<std::size_t>(slot)]);
-  }
-  const auto slot = static_cast<std::size_t>(patch.grasp);
-  const Vec3 weight = patch.model.areal_mass * patch.model.node_area[slot] * options.gravity;
+  PatchOracle oracle(patch, substeps);
   Trace trace;
   for (int i = 1; i <= ticks; ++i) {
-    held[grasp] = patch.target(i * kTick);
     const double start = thread_seconds();
-    solver.step(state, kTick, held);
+    trace.forces.push_back(oracle.tick(i));
     trace.microseconds.push_back(1e6 * (thread_seconds() - start));
-    trace.forces.push_back(solver.internal_forces()[slot] + weight);
   }
   return trace;
 }
@@ -83,7 +56,7 @@ struct Oracle {
 
 Oracle run_oracle(const TautPatch& patch, int ticks) {
   Oracle oracle;
-  oracle.substeps = static_cast<int>(std::ceil(kTick / stable_substep(patch.model, patch.material)));
+  oracle.substeps = stable_substeps(patch);
   oracle.coarsest = run_explicit(patch, oracle.substeps, ticks);
   oracle.reference = oracle.coarsest.forces;
   oracle.reference_substeps = oracle.substeps;
@@ -109,23 +82,17 @@ struct Runner {
 
 template <class T>
 struct ImplicitRunner : Runner {
-  ImplicitRunner(const TautPatch& the_patch, const ImplicitOptions& options)
-      : patch(the_patch), solver(the_patch.model, the_patch.material, options) {
-    solver.restore(patch.start);
-  }
+  ImplicitRunner(const TautPatch& patch, const ImplicitOptions& options) : step(patch, options) {}
   void tick(int number) override {
-    const Vec3 target = patch.target(number * kTick);
+    StepReport report;
     const double start = thread_seconds();
-    solver.place(patch.grasp, target);
-    const StepReport report = solver.step(kTick);
-    const Vec3 force = solver.force_on_fixed(patch.grasp);
+    const Vec3 force = step.tick(number, &report);
     trace.microseconds.push_back(1e6 * (thread_seconds() - start));
     trace.forces.push_back(force);
     evaluations += report.evaluations;
     iterations += report.iterations;
   }
-  const TautPatch& patch;
-  SolverImplicit<T> solver;
+  PatchStep<T> step;
 };
 
 template <class T>

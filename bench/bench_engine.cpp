@@ -8,8 +8,10 @@
 #include <cstdlib>
 #include <exception>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "fuai/solver/implicit_kernels.h"
 #ifdef FUAI_BENCH_BULLET
@@ -29,23 +31,27 @@ std::string processor_name() {
   return "unknown processor";
 }
 
+/// With this load or less the program was alone: its own one thread, two for a part of a minute.
+constexpr double kAlone = 1.7;
+
 /// Mean number of runnable threads over the last minute; negative when the system does not say.
 double load_average() {
   double load = -1.0;
   return getloadavg(&load, 1) == 1 ? load : -1.0;
 }
 
-/// Whether the times are worth more than their medians.
-void report_load(Report& report, double before, double after) {
-  if (before < 0.0 || after < 0.0) return;
-  const unsigned cores = std::thread::hardware_concurrency();
+/// Whether the times are worth more than their medians. @param loads between the parts of the bench
+void report_load(Report& report, const std::vector<double>& loads) {
+  const auto [least, most] = std::ranges::minmax(loads);
+  if (least < 0.0) return;
   report.heading("Load of the machine");
-  report.paragraph("Mean over a minute: " + fixed_text(before, 1) + " at the start, " + fixed_text(after, 1) +
-                   " at the end, 1 of it this program, on " + std::to_string(cores) + " cores. " +
-                   (std::max(before, after) > 1.5
-                        ? "The machine was shared: times are medians with their spread, and ratios that hang "
-                          "on caches and memory are not settled by this run."
-                        : "Nothing else ran beside it."));
+  report.paragraph("Mean over a minute, before, between and after the parts: " + fixed_text(least, 1) +
+                   " to " + fixed_text(most, 1) +
+                   ", 1 of it this program and 2 while it times two threads, on " +
+                   std::to_string(std::thread::hardware_concurrency()) + " cores. " +
+                   (most > kAlone ? "The machine was shared: times are medians with their spread, and ratios "
+                                    "that hang on caches and memory are not settled by this run."
+                                  : "Nothing else was seen beside it."));
 }
 
 void report_machine(Report& report, const MachineLimits& limits) {
@@ -84,14 +90,19 @@ int run(int count, char** arguments) {
     }
   }
   Report report;
-  const double load_before = load_average();
+  std::vector<double> loads{load_average()};
   const MachineLimits limits = measure_machine(quick ? 40 : 200);
   report_machine(report, limits);
-  if (only.empty() || only == "speed") report_speed(report, quick);
-  if (only.empty() || only == "threads") report_threads(report, quick);
-  if (only.empty() || only == "kernels") report_kernels(report, limits, quick);
-  if (only.empty() || only == "accuracy") report_accuracy(report, quick);
-  report_load(report, load_before, load_average());
+  const auto part = [&](const char* name, const std::function<void()>& measure) {
+    if (!only.empty() && only != name) return;
+    measure();
+    loads.push_back(load_average());
+  };
+  part("speed", [&] { report_speed(report, quick); });
+  part("threads", [&] { report_threads(report, quick); });
+  part("kernels", [&] { report_kernels(report, limits, quick); });
+  part("accuracy", [&] { report_accuracy(report, quick); });
+  report_load(report, loads);
   if (file.empty()) return 0;
   std::ofstream out(file);
   out << "# Measured figures of the cloth engine\n\nWritten by `bench_engine --markdown`"

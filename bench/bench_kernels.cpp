@@ -81,11 +81,17 @@ class TickKernels {
         {"evaluate, linearise", 1, {kEvaluateFlops, 55}, [this] { evaluate(Evaluation::kLinearise); }});
     list.push_back(
         {"assemble", 1, {374, 47}, [this, down] { k_.assemble(g_, storage_.constants(), true, 0, down); }});
-    list.push_back({"factor_warp", 1, {146, 18}, [this, across] { k_.factor_warp(g_, 0, across); }});
+    list.push_back({"factor_warp", 1, {146, 18}, [this, across] {
+                      k_.factor_warp(g_, 0, 0, across);
+                      k_.factor_warp(g_, 1, 0, across);
+                      k_.factor_meeting(g_, 0, across);
+                    }});
     list.push_back({"factor_weft", 1, {146, 18}, [this, down] { k_.factor_weft(g_, 0, down); }});
     list.push_back({"begin_solve", 1, {9, 13}, [this, rows] { k_.begin_solve(g_, 0, rows); }});
-    list.push_back(
-        {"solve_warp", kIterations, {72, 45}, [this, across] { k_.solve_warp(g_, kAlpha, 0, across); }});
+    list.push_back({"solve_warp", kIterations, {72, 45}, [this, across] {
+                      for (int half : {0, 1}) k_.solve_warp_in(g_, kAlpha, half, 0, across);
+                      for (int half : {1, 0}) k_.solve_warp_out(g_, half, 0, across);
+                    }});
     list.push_back(
         {"solve_weft", kIterations, {78, 33}, [this, down] { k_.solve_weft(g_, scratch_.get(), 0, down); }});
     list.push_back(
@@ -95,7 +101,7 @@ class TickKernels {
                     }});
     list.push_back({"advance", 1, {6, 9}, [this, rows] { k_.advance(g_, kAlpha, 0, rows); }});
     list.push_back({"move", 1, {6, 9}, [this, rows] { k_.move(g_, 0.F, 0, rows); }});
-    list.push_back({"evaluate, force", 1, {kEvaluateFlops, 34}, [this] { evaluate(Evaluation::kForce); }});
+    list.push_back({"evaluate, force", 1, {kEvaluateFlops, 34}, [this] { evaluate(Evaluation::kForces); }});
     list.push_back({"commit", 1, {20, 17}, [this, rows] { k_.commit(g_, storage_.constants(), 0, rows); }});
     list.push_back(
         {"finish", 1, {40, 24}, [this, rows] { k_.finish(g_, storage_.constants(), step_, 0, rows); }});

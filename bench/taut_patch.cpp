@@ -3,6 +3,7 @@
 #include "taut_patch.h"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "fuai/cloth/cloth_piece.h"
@@ -10,7 +11,6 @@
 #include "fuai/fabric/curve_table.h"
 #include "fuai/fabric/scalar_laws.h"
 #include "fuai/scenes/engine_scenes.h"
-#include "fuai/solver/implicit.h"
 
 namespace fuai_bench {
 namespace {
@@ -20,6 +20,8 @@ using namespace fuai;
 constexpr double kToe = 980.0, kGrowth = 1.764e5, kStraightFrom = 0.05;              // [N/m], [N/m], [-]
 constexpr double kShearStiffness = 56.0, kShearStick = 84.0, kShearFriction = 0.74;  // [N/m]
 constexpr double kBendingStiffness = 1e-5, kBendingStick = 1.6e-5, kBendingFriction = 2.45e-4;  // [N m], [N]
+
+constexpr double kIgnored = 0.1;  ///< the grasp sets off [s]
 
 /// F = k x with one play element that sticks with `stick` and slips at `friction`.
 PlayLaw straight_law(double k, double stick, double friction, double range) {
@@ -113,6 +115,36 @@ TautPatch make_taut_patch(int side, double spacing) {
   patch.model.fixed[static_cast<std::size_t>(patch.grasp)] = 1;
   patch.start.time = 0.0;
   return patch;
+}
+
+PatchOracle::PatchOracle(const TautPatch& patch, int substeps) : patch_(patch), state_(patch.start) {
+  options_.substeps = substeps;
+  solver_.prepare(patch.model, patch.material, options_);
+  for (int slot : solver_.fixed_slots()) {
+    if (slot == patch.grasp) grasp_ = held_.size();
+    held_.push_back(state_.positions[static_cast<std::size_t>(slot)]);
+  }
+}
+
+Vec3 PatchOracle::tick(int number) {
+  held_[grasp_] = patch_.target(number * kTick);
+  solver_.step(state_, kTick, held_);
+  const auto slot = static_cast<std::size_t>(patch_.grasp);
+  return solver_.internal_forces()[slot] +
+         patch_.model.areal_mass * patch_.model.node_area[slot] * options_.gravity;
+}
+
+int stable_substeps(const TautPatch& patch) {
+  return static_cast<int>(std::ceil(kTick / stable_substep(patch.model, patch.material)));
+}
+
+double force_error(const std::vector<Vec3>& forces, const std::vector<Vec3>& reference) {
+  double difference = 0.0, size = 0.0;
+  for (auto i = static_cast<std::size_t>(kIgnored / kTick); i < reference.size(); ++i) {
+    difference += (forces[i] - reference[i]).squaredNorm();
+    size += reference[i].squaredNorm();
+  }
+  return std::sqrt(difference / size);
 }
 
 }  // namespace fuai_bench

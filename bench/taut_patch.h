@@ -11,6 +11,8 @@
 #include "fuai/cloth/cloth_model.h"
 #include "fuai/scenes/engine_scene.h"
 #include "fuai/solver/cloth_material.h"
+#include "fuai/solver/explicit.h"
+#include "fuai/solver/implicit.h"
 
 namespace fuai_bench {
 
@@ -47,5 +49,48 @@ struct TautPatch {
 
 /// Lets the cloth come to rest with the converged implicit step. @param spacing [m]. Thread class: set-up.
 TautPatch make_taut_patch(int side, double spacing = kSpacing);
+
+/// The explicit oracle on a patch, which must outlive it. Thread class: set-up.
+class PatchOracle {
+ public:
+  PatchOracle(const TautPatch& patch, int substeps);
+  /// Does tick `number`, the first of which is 1; the force of the cloth on the grasp at its end [N].
+  fuai::Vec3 tick(int number);
+
+ private:
+  const TautPatch& patch_;
+  fuai::ExplicitOptions options_;
+  fuai::SolverExplicit solver_;
+  fuai::ClothState state_;
+  std::vector<fuai::Vec3> held_;
+  std::size_t grasp_ = 0;
+};
+/// Substeps of a tick that are just stable.
+int stable_substeps(const TautPatch& patch);
+
+/// The implicit step on a patch, which must outlive it. Thread class: set-up.
+template <class T>
+class PatchStep {
+ public:
+  PatchStep(const TautPatch& patch, const fuai::ImplicitOptions& options)
+      : patch_(patch), solver_(patch.model, patch.material, options) {
+    solver_.restore(patch.start);
+  }
+  /// As the oracle's. @param report of the step, unless null
+  fuai::Vec3 tick(int number, fuai::StepReport* report = nullptr) {
+    solver_.place(patch_.grasp, patch_.target(number * kTick));
+    const fuai::StepReport done = solver_.step(kTick);
+    if (report != nullptr) *report = done;
+    return solver_.force_on_fixed(patch_.grasp);
+  }
+
+ private:
+  const TautPatch& patch_;
+  fuai::SolverImplicit<T> solver_;
+};
+
+/// Root of the mean square of |F - F_ref| over that of |F_ref|, from 0.1 s on, when the grasp has set off;
+/// not finite when the forces are not. Thread class: any.
+double force_error(const std::vector<fuai::Vec3>& forces, const std::vector<fuai::Vec3>& reference);
 
 }  // namespace fuai_bench

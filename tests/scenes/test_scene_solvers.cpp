@@ -4,7 +4,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <vector>
 
 #include "fuai/core/error.h"
 #include "fuai/scenes/catalogue.h"
@@ -24,6 +26,17 @@ double largest_speed(const ClothState& state) {
   double largest = 0.0;
   for (const Vec3& v : state.velocities) largest = std::max(largest, v.norm());
   return largest;
+}
+
+double rms(const std::vector<Vec3>& values) {
+  double sum = 0.0;
+  for (const Vec3& value : values) sum += value.squaredNorm();
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+double rms_difference(std::vector<Vec3> a, const std::vector<Vec3>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
+  return rms(a);
 }
 
 }  // namespace
@@ -105,23 +118,30 @@ TEST_SUITE("crosscheck+slow") {
     // Slowly, so that the solvers differ only by what little still rings.
     EngineScene scene = make_bending(middling_laws(), {7, 0.02});
     scene.material.mass_drag = 20.0;
-    Vec3 force[3], centre[3];
+    constexpr int kTicks = 1000, kCompared = 50;
+    std::vector<Vec3> force[3];
+    Vec3 centre[3];
     int k = 0;
     for (SolverKind kind : {SolverKind::kImplicit, SolverKind::kDouble, SolverKind::kExplicit}) {
       SceneRun run(scene, kind);
-      for (int i = 0; i < 1000; ++i) run.step(kStep);
+      for (int i = 1; i <= kTicks; ++i) {
+        run.step(kStep);
+        if (i > kTicks - kCompared) force[k].push_back(run.hand_reading(0).force);
+      }
       const GraspReading hand = run.hand_reading(0);
       CHECK(hand.holds);
       CHECK_FALSE(hand.saturated);
-      force[k] = hand.force;
       centre[k++] = hand.centre;
-      MESSAGE(std::string(run.simulation().any_solver().entry().name), ": ", 1e3 * hand.force.transpose(),
-              " mN");
     }
-    CHECK(force[2].norm() > 5e-4);
-    // The engine's own bound on the force of bending; measured 0.5 % and 0.6 %.
-    CHECK((force[1] - force[2]).norm() < 0.01 * force[2].norm());
-    CHECK((force[0] - force[2]).norm() < 0.01 * force[2].norm());
+    CHECK(rms(force[2]) > 5e-4);
+    // The engine's own bound on the force of bending, in the root of the mean square: in one tick rounding to
+    // float makes some 5 uN, 11 uN at most, of 0.8 mN. Measured 0.7 % in float, 0.5 % in double.
+    for (int solver : {0, 1}) {
+      const double error = rms_difference(force[solver], force[2]) / rms(force[2]);
+      MESSAGE(std::string(solver == 0 ? "float: " : "double: "), 100.0 * error,
+              " % from the explicit solver");
+      CHECK(error < 0.01);
+    }
     CHECK((centre[1] - centre[2]).norm() < 1e-5);
   }
 }

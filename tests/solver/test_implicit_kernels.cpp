@@ -42,7 +42,7 @@ struct Kernels {
     step.dt = static_cast<T>(kDt);
     step.inverse_dt = static_cast<T>(1.0 / kDt);
     fill(model, material, state, state.positions);
-    k.evaluate(g, storage.constants(), step, Evaluation::kForce, 0, g.rows);
+    k.evaluate(g, storage.constants(), step, Evaluation::kForces, 0, g.rows);
     for (int row = 0; row < g.rows; ++row) {  // strains at x_n
       for (int c = 0; c < g.columns; ++c) {
         g.weft_strain_n[g.index(c, row)] = g.strain[3][g.index(c, row)];
@@ -101,7 +101,7 @@ double force_difference(const ClothMaterial& material) {
   std::vector<Vec3> reference(static_cast<Index>(scene.model.slot_count()));
   evaluate_cloth(scene.model, material, scene.state, scene.trial, {kDt, Vec3::Zero()}, reference);
   Kernels<T> kernels(scene.model, material, scene.state, scene.trial);
-  kernels.k.evaluate(kernels.g, kernels.storage.constants(), kernels.step, Evaluation::kForce, 0,
+  kernels.k.evaluate(kernels.g, kernels.storage.constants(), kernels.step, Evaluation::kForces, 0,
                      kernels.g.rows);
   double largest = 0.0, difference = 0.0;
   for (int row = 0; row < scene.model.rows; ++row) {

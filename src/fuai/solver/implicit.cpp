@@ -138,11 +138,11 @@ template <class T>
 bool SolverImplicit<T>::start_back(double dt, Guess guess, const Descent& descent,
                                    StepReport& report) noexcept {
   const double mass = static_cast<double>(constants_.areal_mass * constants_.h * constants_.h);
-  const double speed = mass > 0.0 ? std::sqrt(std::max(fall_.kinetic, 0.0) / mass) : 0.0;
+  const double speed = mass > 0.0 ? theta_ * std::sqrt(std::max(fall_.kinetic, 0.0) / mass) : 0.0;
   const double noise = dt * kNoiseMargin * force_noise() * speed;
   if (guess.fall_at_end >= 0.0 || guess.rise(dt) <= descent.fall + noise) return false;
   run_.rows(kernels_->replace, T(0));
-  evaluate(Evaluation::kForce);
+  evaluate(Evaluation::kForces);
   guess.fall_at_start = run_.rows(kernels_->work_v);
   ++report.evaluations;
   const bool back = guess.rise(dt) > descent.fall + noise;
@@ -150,7 +150,7 @@ bool SolverImplicit<T>::start_back(double dt, Guess guess, const Descent& descen
   const double part_way = start > 0.0 ? std::clamp(start / (start - end), 0.0, 1.0) : 0.0;
   run_.rows(kernels_->replace, back ? static_cast<T>(part_way) * step_.dt : step_.dt);
   if (!back) run_.rows(kernels_->move, static_cast<T>(descent.length));
-  evaluate(back ? Evaluation::kLinearise : Evaluation::kForce);
+  evaluate(back ? Evaluation::kLinearise : Evaluation::kForces);
   ++report.evaluations;
   if (back) report.status |= StepReport::kStartedBack;
   return back;
@@ -160,7 +160,8 @@ bool SolverImplicit<T>::start_back(double dt, Guess guess, const Descent& descen
 template <class T>
 typename SolverImplicit<T>::Promise SolverImplicit<T>::solve(StepReport& report) noexcept {
   run_.row_vectors(kernels_->assemble, constants_, options_.preconditioner == Preconditioner::kYarnLines);
-  run_.columns(kernels_->factor_warp);
+  run_.halves(0, kernels_->factor_warp);
+  run_.columns(kernels_->factor_meeting);
   run_.row_vectors(kernels_->factor_weft);
   const double start = run_.rows(kernels_->begin_solve);
   double square = start;
@@ -169,7 +170,8 @@ typename SolverImplicit<T>::Promise SolverImplicit<T>::solve(StepReport& report)
   // The last step along p is still to be made: alpha of it.
   double slope = 0.0, previous = 0.0, alpha = 0.0;
   for (int i = 0; i < options_.iterations && square > least; ++i) {
-    const double left = run_.columns(kernels_->solve_warp, static_cast<T>(alpha));
+    const double left = run_.halves(0, kernels_->solve_warp_in, static_cast<T>(alpha));
+    run_.halves(1, kernels_->solve_warp_out);
     if (i > 0) square = left;
     if (!(square > least)) break;
     const double rz = run_.solve_weft();
@@ -192,7 +194,7 @@ template <class T>
 double SolverImplicit<T>::shorten(double length, Descent& descent, StepReport& report) noexcept {
   run_.rows(kernels_->move, static_cast<T>(length - descent.length));
   descent.length = length;
-  evaluate(Evaluation::kForce);
+  evaluate(Evaluation::kForces);
   ++report.evaluations;
   descent.square = run_.rows(kernels_->square);
   return run_.rows(kernels_->work_d);
@@ -317,7 +319,7 @@ template <class T>
 void SolverImplicit<T>::commit() noexcept {
   begin_step(1.0, 1.0);
   stand_still();
-  evaluate(Evaluation::kForce);
+  evaluate(Evaluation::kForces);
   run_.rows(kernels_->commit, constants_);
 }
 
@@ -325,7 +327,7 @@ template <class T>
 double SolverImplicit<T>::out_of_balance() noexcept {
   begin_step(1.0, 1.0);
   stand_still();
-  evaluate(Evaluation::kForce);
+  evaluate(Evaluation::kForces);
   return std::sqrt(run_.rows(kernels_->square));
 }
 
@@ -375,7 +377,7 @@ void SolverImplicit<T>::restore(const ClothState& state) {
   // The strains of the edges, for their viscosity: the memory does not move, for it fits the positions
   // already.
   begin_step(1.0, 1.0);
-  evaluate(Evaluation::kForce);
+  evaluate(Evaluation::kForces);
   const auto first = grid_.at(0), last = grid_.at(grid_.rows);
   std::copy(grid_.strain[3] + first, grid_.strain[3] + last, grid_.weft_strain_n + first);
   std::copy(grid_.strain[4] + first, grid_.strain[4] + last, grid_.warp_strain_n + first);

@@ -156,9 +156,12 @@ HWY_INLINE BendBlock<T> bend(const ImplicitGrid<T>& g, const ImplicitConstants<T
   block.fold2 = fold(block.stiff2, c2);
   block.stiff1 = hn::Min(block.stiff1, most);
   block.stiff2 = hn::Min(block.stiff2, most);
-  // Keep the 2 x 2 block positive semidefinite whatever the tangents are.
-  const Lane<T> both = hn::Sqrt(hn::Mul(block.stiff1, block.stiff2));
-  block.cross = hn::Min(hn::Max(hn::Mul(K12, hn::Mul(f1, f2)), hn::Neg(both)), both);
+  block.cross = zero;
+  if (k.poisson_bending != T(0)) {
+    // Keep the 2 x 2 block positive semidefinite whatever the tangents are.
+    const Lane<T> both = hn::Sqrt(hn::Mul(block.stiff1, block.stiff2));
+    block.cross = hn::Min(hn::Max(hn::Mul(K12, hn::Mul(f1, f2)), hn::Neg(both)), both);
+  }
   return block;
 }
 
@@ -204,10 +207,10 @@ HWY_INLINE CellBlock<T> cell(const ImplicitGrid<T>& g, const ImplicitConstants<T
 }
 
 /// Inertia, weight and air of a block; writes the ground stiffness when linearising.
-template <class T>
+template <bool kLinearise, class T>
 HWY_INLINE Lane3<T> outer_force(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k,
                                 const ImplicitStepConstants<T>& s, std::ptrdiff_t p, const Lane3<T>& x,
-                                const Lane3<T>& n, bool linearise) {
+                                const Lane3<T>& n) {
   const Lane<T> zero = hn::Zero(Tag<T>());
   const Lane3<T> xn = load3(g.xn, p), v = load3(g.v, p);
   const Lane3<T> w = mul_add(set(s.past_dt), load3(g.a, p), v);
@@ -218,7 +221,7 @@ HWY_INLINE Lane3<T> outer_force(const ImplicitGrid<T>& g, const ImplicitConstant
   const Lane<T> inertia = hn::Mul(hn::Max(area, zero), set(k.areal_mass * s.inertia));
   Lane3<T> force = scale(inertia, sub(scale(set(s.velocity_gain), push), moved));
   if (g.air == nullptr) {
-    if (linearise) store(inertia, g.ground + p);
+    if constexpr (kLinearise) store(inertia, g.ground + p);
     return force;
   }
   const Lane3<T> slip = {hn::Sub(moved.x, set(s.wind_dt[0])), hn::Sub(moved.y, set(s.wind_dt[1])),
@@ -234,7 +237,7 @@ HWY_INLINE Lane3<T> outer_force(const ImplicitGrid<T>& g, const ImplicitConstant
   const Lane<T> extra = hn::Max(hn::Sub(across, tangential), zero);
   force = neg_mul_add(tangential, slip, force);
   force = neg_mul_add(hn::Mul(extra, dot(n, slip)), n, force);
-  if (linearise) {
+  if constexpr (kLinearise) {
     store(hn::Add(inertia, tangential), g.ground + p);
     store(extra, g.air + p);
   }

@@ -71,10 +71,9 @@ inline RowPart row_part(int row, int begin, int end) {
 }
 
 /// Tension of the yarn edges of a row; the first that the row and the one after it get.
-template <class T>
+template <bool kLinearise, class T>
 HWY_NOINLINE void tension_row(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k,
-                              const ImplicitStepConstants<T>& s, const Turn<T>& turn, const RowPart part,
-                              bool linearise) {
+                              const ImplicitStepConstants<T>& s, const Turn<T>& turn, const RowPart part) {
   const std::ptrdiff_t S = g.stride;
   RowSums<T> own(g, turn, part.own ? &g.force : nullptr, part.row);
   for (int v = 0; v < g.vectors; ++v) {
@@ -93,7 +92,7 @@ HWY_NOINLINE void tension_row(const ImplicitGrid<T>& g, const ImplicitConstants<
                    negative(weft.gradient));
     store(weft.strain, g.strain[3] + p);
     store(warp.strain, g.strain[4] + p);
-    if (!linearise) continue;
+    if constexpr (!kLinearise) continue;
     store3(weft.axis, g.weft_axis, p);
     store3(warp.axis, g.warp_axis, p);
     store(weft.side, g.weft_side + p);
@@ -103,15 +102,14 @@ HWY_NOINLINE void tension_row(const ImplicitGrid<T>& g, const ImplicitConstants<
 }
 
 /// Bending of the yarns, inertia, weight and air of a row.
-template <class T>
+template <bool kLinearise, class T>
 HWY_NOINLINE void bend_row(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k,
-                           const ImplicitStepConstants<T>& s, const Turn<T>& turn, const RowPart part,
-                           bool linearise) {
+                           const ImplicitStepConstants<T>& s, const Turn<T>& turn, const RowPart part) {
   const std::ptrdiff_t S = g.stride;
   RowSums<T> own(g, turn, part.own ? &g.force : nullptr, part.row);
   // Folds stiffen the edges on both their sides.
   Lane<T> side = hn::Zero(Tag<T>()), first_fold = side;
-  const bool keep = part.own && linearise;
+  const bool keep = part.own && kLinearise;
   for (int v = 0; v < g.vectors; ++v) {
     const Place<T> at(g, turn, part.row, v);
     const std::ptrdiff_t p = at.p;
@@ -122,11 +120,11 @@ HWY_NOINLINE void bend_row(const ImplicitGrid<T>& g, const ImplicitConstants<T>&
     if (part.above) store3(sub(load3(g.force, p + S), bends.U2), g.force, p + S);
     if (part.below) {
       store3(sub(load3(g.force, p - S), bends.L2), g.force, p - S);
-      if (linearise) store(hn::Add(load(g.warp_side + p - S), bends.fold2), g.warp_side + p - S);
+      if (kLinearise) store(hn::Add(load(g.warp_side + p - S), bends.fold2), g.warp_side + p - S);
     }
     if (!part.own) continue;
     const Lane3<T> inner = add(add(bends.U1, bends.L1), add(bends.U2, bends.L2));
-    const Lane3<T> outer = outer_force(g, k, s, p, x, bends.normal, linearise);
+    const Lane3<T> outer = outer_force<kLinearise>(g, k, s, p, x, bends.normal);
     own.add_vector(p, negative(bends.L1), add(load3(g.force, p), add(inner, outer)), negative(bends.U1));
     store(bends.kappa1, g.strain[0] + p);
     store(bends.kappa2, g.strain[1] + p);
@@ -148,9 +146,9 @@ HWY_NOINLINE void bend_row(const ImplicitGrid<T>& g, const ImplicitConstants<T>&
 }
 
 /// Shear and twist of the cells of a row.
-template <class T>
+template <bool kLinearise, class T>
 HWY_NOINLINE void cell_row(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, const Turn<T>& turn,
-                           const RowPart part, bool linearise) {
+                           const RowPart part) {
   RowSums<T> own(g, turn, part.own ? &g.force : nullptr, part.row);
   RowSums<T> above(g, turn, part.above ? &g.force : nullptr, part.row + 1);
   for (int v = 0; v < g.vectors; ++v) {
@@ -161,7 +159,7 @@ HWY_NOINLINE void cell_row(const ImplicitGrid<T>& g, const ImplicitConstants<T>&
     if (part.own) {
       here = add(here, load3(g.force, p));
       store(shear.gamma, g.strain[2] + p);
-      if (linearise) {
+      if (kLinearise) {
         store3(shear.plus, g.shear_plus, p);
         store3(shear.minus, g.shear_minus, p);
       }
@@ -174,10 +172,10 @@ HWY_NOINLINE void cell_row(const ImplicitGrid<T>& g, const ImplicitConstants<T>&
   above.finish();
 }
 
-template <class T>
-void evaluate_rows(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, const ImplicitStepConstants<T>& s,
-                   Evaluation what, int begin, int end) {
-  const bool linearise = what == Evaluation::kLinearise;
+/// @tparam kLinearise whether the linearisation is left behind; what only it needs is not computed otherwise
+template <bool kLinearise, class T>
+void evaluate_share(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k,
+                    const ImplicitStepConstants<T>& s, int begin, int end) {
   const Turn<T> turn;
   if (begin == end) return;
   if (begin == 0) {
@@ -185,9 +183,19 @@ void evaluate_rows(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, cons
   }
   for (int row = begin > 0 ? begin - 1 : 0; row <= end && row < g.rows; ++row) {
     const RowPart part = row_part(row, begin, end);
-    if (row < end) tension_row(g, k, s, turn, part, linearise);
-    bend_row(g, k, s, turn, part, linearise);
-    if (row < end) cell_row(g, k, turn, part, linearise);
+    if (row < end) tension_row<kLinearise>(g, k, s, turn, part);
+    bend_row<kLinearise>(g, k, s, turn, part);
+    if (row < end) cell_row<kLinearise>(g, k, turn, part);
+  }
+}
+
+template <class T>
+void evaluate_rows(const ImplicitGrid<T>& g, const ImplicitConstants<T>& k, const ImplicitStepConstants<T>& s,
+                   Evaluation what, int begin, int end) {
+  if (what == Evaluation::kLinearise) {
+    evaluate_share<true>(g, k, s, begin, end);
+  } else {
+    evaluate_share<false>(g, k, s, begin, end);
   }
 }
 

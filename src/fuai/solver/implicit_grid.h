@@ -119,7 +119,9 @@ struct ImplicitGrid {
   // inverted diagonal (xx, xy, xz, yy, yz, zz) and 6 of the coupling to the next node.
   T* warp_lines = nullptr;
   T* weft_lines = nullptr;
-  // Partial sums, one a row (of solve_warp: one a vector of columns).
+  Field3<T> meeting[2];  ///< what the halves of the warp lines bring to the row where they meet, one row
+                         ///< each; shares the rows of d outside the cloth
+  // Partial sums, one a row (of solve_warp_in: one a vector of columns of a half).
   double* partial = nullptr;
   double* partial_kinetic = nullptr;
   double* partial_weight = nullptr;

@@ -29,9 +29,11 @@ ImplicitKernels<T> make_kernels() {
   k.commit = &commit_rows<T>;
   k.multiply = &multiply_rows<T>;
   k.assemble = &assemble_vectors<T>;
-  k.factor_warp = &factor_warp_vectors<T>;
+  k.factor_warp = &factor_warp_half<T>;
+  k.factor_meeting = &factor_meeting_vectors<T>;
   k.factor_weft = &factor_weft_vectors<T>;
-  k.solve_warp = &solve_warp_vectors<T>;
+  k.solve_warp_in = &solve_warp_in<T>;
+  k.solve_warp_out = &solve_warp_out<T>;
   k.solve_weft = &solve_weft_vectors<T>;
   k.advance = &advance_rows<T>;
   k.direct = &direct_rows<T>;

@@ -9,7 +9,7 @@ namespace fuai {
 
 /// What an evaluation leaves behind besides forces and strains.
 enum class Evaluation {
-  kForce,      ///< nothing
+  kForces,     ///< nothing
   kLinearise,  ///< the linearisation arrays
 };
 
@@ -29,13 +29,17 @@ struct ImplicitKernels {
   /// Diagonal blocks of A and couplings along the yarns into the storage of the lines; without links the
   /// preconditioner is block Jacobi. Vectors of rows.
   void (*assemble)(const Grid&, const ImplicitConstants<T>&, bool links, int begin, int end);
-  /// Factors the warp lines of vectors of columns.
-  void (*factor_warp)(const Grid&, int begin, int end);
+  /// Factors the rows of half 0 (the first ones) or 1 of the warp lines of vectors of columns, all but the
+  /// row where they meet; then that row, over vectors of columns, when both are done.
+  void (*factor_warp)(const Grid&, int half, int begin, int end);
+  void (*factor_meeting)(const Grid&, int begin, int end);
   /// Factors the weft lines of vectors of rows.
   void (*factor_weft)(const Grid&, int begin, int end);
-  /// force -= alpha q, with partial = force.force; q = (warp lines)^-1 force. Vectors of columns, and so the
-  /// sums. Without alpha the sums are zero.
-  void (*solve_warp)(const Grid&, T alpha, int begin, int end);
+  /// force -= alpha q, with partial = force.force; then q = (warp lines)^-1 force: half of the rows from the
+  /// end of the cloth in to the meeting row, and, when both halves are there, out again. Vectors of columns
+  /// of a half, and so the sums. Without alpha the sums are zero.
+  void (*solve_warp_in)(const Grid&, T alpha, int half, int begin, int end);
+  void (*solve_warp_out)(const Grid&, int half, int begin, int end);
   /// q = (q + (weft lines)^-1 force) / 2; partial = force.q. Vectors of rows, the sums a row.
   /// @param scratch scratch_size() numbers, one set a caller
   void (*solve_weft)(const Grid&, T* scratch, int begin, int end);

@@ -4,6 +4,8 @@
 //
 // Block Thomas on symmetric 3 x 3 blocks, with E_k = D_k - C_{k-1} E_{k-1}^-1 C_{k-1}:
 //   forward   w_k = E_k^-1 (f_k + C_{k-1} w_{k-1})        backward   z_k = w_k + E_k^-1 C_k z_{k+1}
+// Warp lines are gone through from both ends at once and meet in the middle row, so that each of two threads
+// keeps to its half of the rows.
 #if defined(FUAI_IMPLICIT_LINES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FUAI_IMPLICIT_LINES_INL_H
 #undef FUAI_IMPLICIT_LINES_INL_H
@@ -84,85 +86,154 @@ HWY_INLINE void in_groups(int begin, int end, const Work& work) {
   for (; i < end; ++i) work(i, std::integral_constant<int, 1>());
 }
 
-/// Factors `count` nodes of kCount vectors of lines; `pitch` numbers from one vector of lines to the next.
+/// Nodes of lines one after the other: `first`, `first + step`, ...
+struct Sweep {
+  int first, count, step;
+};
+/// Where the halves of the warp lines meet.
+template <class T>
+HWY_INLINE int meeting_row(const ImplicitGrid<T>& g) {
+  return g.rows / 2;
+}
+/// The rows of half 0 or 1 of the warp lines, from the end of the cloth to the row before the meeting.
+template <class T>
+HWY_INLINE Sweep half_sweep(const ImplicitGrid<T>& g, int half) {
+  const int meeting = meeting_row(g);
+  return half == 0 ? Sweep{0, meeting, 1} : Sweep{g.rows - 1, g.rows - 1 - meeting, -1};
+}
+
+/// Factors the nodes of kCount vectors of lines; `pitch` numbers from one vector of lines to the next.
 template <int kCount, class T>
-HWY_INLINE void factor_lines(T* lines, std::ptrdiff_t pitch, int count) {
+HWY_INLINE void factor_lines(T* lines, std::ptrdiff_t pitch, const Sweep& sweep) {
   const int lanes = lanes_of<T>();
   Block<T> e[kCount];
   for (int v = 0; v < kCount; ++v) e[v] = zero_block<T>();
-  for (int i = 0; i < count; ++i) {
-    T* const node = lines + i * (kLineFields * lanes);
+  for (int i = 0; i < sweep.count; ++i) {
+    T* const node = lines + (sweep.first + i * sweep.step) * (kLineFields * lanes);
     for (int v = 0; v < kCount; ++v) {
       T* const at = node + v * pitch;
       const Block<T> d = load_line(at);
-      e[v] = invert(i == 0 ? d : subtract_sandwich(d, load_line(at - 6 * lanes), e[v]));
+      e[v] = invert(i == 0 ? d : subtract_sandwich(d, load_line(at - sweep.step * 6 * lanes), e[v]));
       store_line(e[v], at, lanes);
     }
   }
 }
 
 template <class T>
-void factor_warp_vectors(const ImplicitGrid<T>& g, int begin, int end) {
+void factor_warp_half(const ImplicitGrid<T>& g, int half, int begin, int end) {
   in_groups(begin, end, [&](int i, auto count) HWY_ATTR {
-    factor_lines<decltype(count)::value>(g.warp_lines + g.warp_line(i, 0), g.warp_line(1, 0), g.rows);
+    factor_lines<decltype(count)::value>(g.warp_lines + g.warp_line(i, 0), g.warp_line(1, 0),
+                                         half_sweep(g, half));
   });
+}
+/// The meeting row, eliminated from both sides.
+template <class T>
+void factor_meeting_vectors(const ImplicitGrid<T>& g, int begin, int end) {
+  const int lanes = lanes_of<T>(), meeting = meeting_row(g);
+  for (int v = begin; v < end; ++v) {
+    T* const at = g.warp_lines + g.warp_line(v, meeting);
+    Block<T> d = load_line(at);
+    for (int side : {-1, 1}) {
+      if (half_sweep(g, side < 0 ? 0 : 1).count == 0) continue;
+      d = subtract_sandwich(d, load_line(at + side * 6 * lanes), load_line(at + side * kLineFields * lanes));
+    }
+    store_line(invert(d), at, lanes);
+  }
 }
 template <class T>
 void factor_weft_vectors(const ImplicitGrid<T>& g, int begin, int end) {
   in_groups(begin, end, [&](int i, auto count) HWY_ATTR {
-    factor_lines<decltype(count)::value>(g.weft_lines + g.weft_line(i, 0), g.weft_line(1, 0), g.columns);
+    factor_lines<decltype(count)::value>(g.weft_lines + g.weft_line(i, 0), g.weft_line(1, 0),
+                                         Sweep{0, g.columns, 1});
   });
 }
 
-/// Solves kCount vectors of warp lines beside one another; force -= alpha q on the way there.
+/// Goes through half of kCount vectors of warp lines to the meeting row; force -= alpha q on the way.
 template <int kCount, bool kAdvance, class T>
-HWY_INLINE void solve_warp_lines(const ImplicitGrid<T>& g, T alpha, int first) {
+HWY_INLINE void warp_lines_in(const ImplicitGrid<T>& g, T alpha, int half, int first) {
   const int lanes = lanes_of<T>();
-  const std::ptrdiff_t column = g.at(0) + static_cast<std::ptrdiff_t>(first) * lanes;
+  const Sweep sweep = half_sweep(g, half);
+  const std::ptrdiff_t column = static_cast<std::ptrdiff_t>(first) * lanes;
   const T* const lines = g.warp_lines + g.warp_line(first, 0);
-  const std::ptrdiff_t pitch = g.warp_line(1, 0);
+  const std::ptrdiff_t pitch = g.warp_line(1, 0), outer_link = -sweep.step * 6 * lanes;
   Lane3<T> w[kCount];
   Lane<T> sum[kCount];
   for (int v = 0; v < kCount; ++v) {
     w[v] = zero3<T>();
     sum[v] = hn::Zero(Tag<T>());
   }
-  for (int row = 0; row < g.rows; ++row) {
+  const auto right_side = [&](int v, std::ptrdiff_t p) HWY_ATTR {
+    Lane3<T> f = load3(g.force, p);
+    if constexpr (kAdvance) {
+      f = neg_mul_add(set(alpha), load3(g.q, p), f);
+      store3(f, g.force, p);
+      sum[v] = add_dot<T>(f, f, sum[v]);
+    }
+    return f;
+  };
+  for (int i = 0; i < sweep.count; ++i) {
+    const int row = sweep.first + i * sweep.step;
     const T* const node = lines + row * (kLineFields * lanes);
     for (int v = 0; v < kCount; ++v) {
-      const std::ptrdiff_t p = column + row * g.stride + v * lanes;
+      const std::ptrdiff_t p = g.at(row) + column + v * lanes;
       const T* const at = node + v * pitch;
-      Lane3<T> f = load3(g.force, p);
-      if constexpr (kAdvance) {
-        f = neg_mul_add(set(alpha), load3(g.q, p), f);
-        store3(f, g.force, p);
-        sum[v] = add_dot<T>(f, f, sum[v]);
-      }
-      w[v] = apply(load_line(at), row == 0 ? f : apply_add(load_line(at - 6 * lanes), w[v], f));
+      const Lane3<T> f = right_side(v, p);
+      w[v] = apply(load_line(at), i == 0 ? f : apply_add(load_line(at + outer_link), w[v], f));
       store3(w[v], g.q, p);
     }
   }
-  for (int row = g.rows - 2; row >= 0; --row) {
-    const T* const node = lines + row * (kLineFields * lanes);
-    for (int v = 0; v < kCount; ++v) {
-      const std::ptrdiff_t p = column + row * g.stride + v * lanes;
-      const T* const at = node + v * pitch;
-      w[v] = apply_add(load_line(at), apply(load_line(at + 6 * lanes), w[v]), load3(g.q, p));
-      store3(w[v], g.q, p);
-    }
+  const int meeting = meeting_row(g);
+  for (int v = 0; v < kCount; ++v) {
+    const T* const at = lines + meeting * (kLineFields * lanes) + v * pitch;
+    const Lane3<T> f = half == 0 ? zero3<T>() : right_side(v, g.at(meeting) + column + v * lanes);
+    store3(sweep.count == 0 ? f : apply_add(load_line(at + outer_link), w[v], f), g.meeting[half],
+           column + v * lanes);
+    g.partial[half * g.vectors + first + v] = kAdvance ? sum_of_lanes<T>(sum[v]) : 0.0;
   }
-  for (int v = 0; v < kCount; ++v) g.partial[first + v] = kAdvance ? sum_of_lanes<T>(sum[v]) : 0.0;
 }
 
 template <class T>
-void solve_warp_vectors(const ImplicitGrid<T>& g, T alpha, int begin, int end) {
+void solve_warp_in(const ImplicitGrid<T>& g, T alpha, int half, int begin, int end) {
   in_groups(begin, end, [&](int i, auto count) HWY_ATTR {
     if (alpha != T(0)) {
-      solve_warp_lines<decltype(count)::value, true>(g, alpha, i);
+      warp_lines_in<decltype(count)::value, true>(g, alpha, half, i);
     } else {
-      solve_warp_lines<decltype(count)::value, false>(g, alpha, i);
+      warp_lines_in<decltype(count)::value, false>(g, alpha, half, i);
     }
   });
+}
+
+/// From the meeting row, which both halves solve for, back to the end of the cloth.
+template <int kCount, class T>
+HWY_INLINE void warp_lines_out(const ImplicitGrid<T>& g, int half, int first) {
+  const int lanes = lanes_of<T>(), meeting = meeting_row(g);
+  const Sweep sweep = half_sweep(g, half);
+  const std::ptrdiff_t column = static_cast<std::ptrdiff_t>(first) * lanes;
+  const T* const lines = g.warp_lines + g.warp_line(first, 0);
+  const std::ptrdiff_t pitch = g.warp_line(1, 0), inner_link = sweep.step * 6 * lanes;
+  Lane3<T> z[kCount];
+  for (int v = 0; v < kCount; ++v) {
+    const std::ptrdiff_t c = column + v * lanes;
+    z[v] = apply(load_line(lines + meeting * (kLineFields * lanes) + v * pitch),
+                 add(load3(g.meeting[0], c), load3(g.meeting[1], c)));
+    if (half == 1) store3(z[v], g.q, g.at(meeting) + c);
+  }
+  for (int i = sweep.count - 1; i >= 0; --i) {
+    const int row = sweep.first + i * sweep.step;
+    const T* const node = lines + row * (kLineFields * lanes);
+    for (int v = 0; v < kCount; ++v) {
+      const std::ptrdiff_t p = g.at(row) + column + v * lanes;
+      const T* const at = node + v * pitch;
+      z[v] = apply_add(load_line(at), apply(load_line(at + inner_link), z[v]), load3(g.q, p));
+      store3(z[v], g.q, p);
+    }
+  }
+}
+
+template <class T>
+void solve_warp_out(const ImplicitGrid<T>& g, int half, int begin, int end) {
+  in_groups(begin, end,
+            [&](int i, auto count) HWY_ATTR { warp_lines_out<decltype(count)::value>(g, half, i); });
 }
 
 /// Vectors of weft lines beside one another: two keep the turned columns within the nearest cache.

@@ -48,6 +48,21 @@ class ImplicitRunner {
     share(grid_->vectors, [&](int, Share s) { kernel(*grid_, arguments..., s.begin, s.end); });
     return sum(grid_->vectors);
   }
+  /// A kernel over both halves of the warp lines, `first` the one that a caller alone begins with; the sum of
+  /// their vectors of columns. A half stays with the same member, and with it the rows. Thread class:
+  /// real-time.
+  template <class Kernel, class... Arguments>
+  double halves(int first, Kernel kernel, const Arguments&... arguments) noexcept {
+    run_together(team_, [&](int member) {
+      const int count = members();
+      for (int half : {first, 1 - first}) {
+        if (count > 1 && member % 2 != half) continue;
+        const Share s = share_of(grid_->vectors, member / 2, count > 1 ? (count + 1 - half) / 2 : 1);
+        kernel(*grid_, arguments..., half, s.begin, s.end);
+      }
+    });
+    return sum(2 * grid_->vectors);
+  }
   /// The weft lines; the sum of the rows. Thread class: real-time.
   double solve_weft() noexcept {
     share(grid_->row_vectors(), [&](int member, Share s) {

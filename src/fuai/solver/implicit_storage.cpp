@@ -55,6 +55,10 @@ void ImplicitStorage<T>::lay_out(const ClothMaterial& material) {
   const auto lines = static_cast<std::size_t>(g.stride) * static_cast<std::size_t>(kLineFields);
   g.warp_lines = take(lines * static_cast<std::size_t>(g.rows));
   g.weft_lines = take(lines * static_cast<std::size_t>(padded_rows));
+  // Nobody reads the rows of d before the first and after the last.
+  const std::ptrdiff_t outside[2] = {g.at(-1), g.at(g.rows)};
+  for (int half = 0; half < 2 && block_ != nullptr; ++half)
+    g.meeting[half] = {g.d.x + outside[half], g.d.y + outside[half], g.d.z + outside[half]};
   // Strains live between the evaluation and the commit, directions between two commits.
   T* const shared[5] = {g.p.x, g.p.y, g.p.z, g.q.x, g.q.y};
   std::copy(std::begin(shared), std::end(shared), std::begin(g.strain));
@@ -121,7 +125,7 @@ ImplicitStorage<T>::ImplicitStorage(const ClothModel& model, const ClothMaterial
   size_ = used_;
   block_ = make_vector_block<T>(size_);
   lay_out(material);  // takes
-  const auto sums = static_cast<std::size_t>(std::max(round_up(model.rows, lanes), grid_.vectors));
+  const auto sums = static_cast<std::size_t>(std::max(round_up(model.rows, lanes), 2 * grid_.vectors));
   partial_.assign(3 * sums, 0.0);
   grid_.partial = partial_.data();
   grid_.partial_kinetic = grid_.partial + sums;
