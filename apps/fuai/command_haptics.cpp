@@ -1,6 +1,7 @@
 // `fuai haptics devices` and `fuai haptics run`.
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -108,6 +109,42 @@ JsonValue clock_of(const std::optional<RealtimeReport>& report) {
   return json.set("refused", std::move(refused));
 }
 
+/// What a device can say of itself that keeps force from the hand.
+struct DeviceTrouble {
+  std::uint32_t bit;
+  const char *key, *words;
+};
+constexpr std::array kTroubles{
+    DeviceTrouble{kDeviceDisconnected, "disconnected", "unplugged or silent"},
+    DeviceTrouble{kDeviceUncalibrated, "uncalibrated", "not calibrated"},
+    DeviceTrouble{kDeviceForceOff, "force_off", "with its force switched off"},
+    DeviceTrouble{kDeviceWarm, "warm", "with motors too warm"},
+    DeviceTrouble{kDeviceSaturated, "saturated", "asked for more than it gives"},
+};
+
+std::int64_t ticks_with(const FeltResult& result, const DeviceTrouble& trouble) {
+  return std::ranges::count_if(
+      result.records, [&](const TickRecord& record) { return (record.sample.status & trouble.bit) != 0; });
+}
+
+std::int64_t faulted_ticks(const FeltResult& result) {
+  return std::ranges::count_if(
+      result.records, [](const TickRecord& record) { return (record.tick.status & kForceFaults) != 0; });
+}
+
+/// Says what the figures are silent about: force that was not given.
+void print_troubles(const Console& console, const FeltResult& result) {
+  std::string text;
+  for (const DeviceTrouble& trouble : kTroubles) {
+    const std::int64_t ticks = ticks_with(result, trouble);
+    if (ticks > 0)
+      text += (text.empty() ? "" : ", ") + (trouble.words + (" in " + std::to_string(ticks))) + " ticks";
+  }
+  if (!text.empty()) console.line("device        " + text);
+  const std::int64_t faulted = faulted_ticks(result);
+  if (faulted > 0) console.line("fault         latched: no force in " + std::to_string(faulted) + " ticks");
+}
+
 JsonValue report_of(const FeltPlan& plan, const FeltResult& result) {
   const SessionFigures figures = read_figures(result.records);
   JsonValue json;
@@ -126,6 +163,9 @@ JsonValue report_of(const FeltPlan& plan, const FeltResult& result) {
   json.set("scale", result.map.scale).set("force_gain", result.map.force_gain);
   json.set("braked_ticks", static_cast<std::int64_t>(result.counters.braked));
   json.set("untrusted_ticks", static_cast<std::int64_t>(result.counters.untrusted));
+  JsonValue device_ticks;
+  for (const DeviceTrouble& trouble : kTroubles) device_ticks.set(trouble.key, ticks_with(result, trouble));
+  json.set("device_ticks", std::move(device_ticks)).set("faulted_ticks", faulted_ticks(result));
   json.set("cloth_steps", static_cast<std::int64_t>(result.cloth_steps));
   json.set("failed_steps", static_cast<std::int64_t>(result.failed_steps));
   json.set("state_hash", hash_text(result.state_hash)).set("clock", clock_of(result.realtime));
@@ -160,6 +200,7 @@ void print_report(const Console& console, const FeltPlan& plan, const FeltResult
   console.line("force         " + format_number(figures.force_rms) + " N rms, " +
                format_number(figures.force_peak) + " N at most, " + format_number(figures.largest_step) +
                " N from tick to tick");
+  print_troubles(console, result);
   if (result.error) {
     console.line("force error   " + format_number(100.0 * result.error->rms) + " % rms, " +
                  format_number(100.0 * result.error->peak) + " % at most, against the converged solve");

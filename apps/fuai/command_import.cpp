@@ -13,6 +13,7 @@
 #include "fuai/io/fabric_fields.h"
 #include "fuai/io/fabric_file.h"
 #include "fuai/io/fabric_import.h"
+#include "fuai/io/text_file.h"
 #include "fuai/units/parse.h"
 
 namespace fuai_app {
@@ -152,12 +153,8 @@ std::vector<Target> targets_of(std::vector<Fabric> fabrics, const ImportOptions&
 /// Measurements are never replaced by what was made of them.
 void check_inputs_survive(const Target& target, const std::vector<std::string>& inputs) {
   for (const std::string& path : fabric_file_paths(target.path, target.fabric)) {
-    for (const std::string& input : inputs) {
-      std::error_code code;
-      if (!std::filesystem::equivalent(path, input, code)) continue;
-      throw Error(ErrorKind::kUsage, "this would replace the input file '" + input + "'", {path, 0, 0, ""},
-                  "give another -o: another folder or another name");
-    }
+    for (const std::string& input : inputs)
+      check_input_survives(path, input, "give another -o: another folder or another name");
   }
 }
 

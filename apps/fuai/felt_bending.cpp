@@ -14,6 +14,7 @@
 #include "fuai/haptics/virtual_session.h"
 #include "fuai/io/fabric_library.h"
 #include "fuai/scenes/paper_bending.h"
+#include "fuai/sim/felt_options.h"
 #include "fuai/units/constants.h"
 
 namespace fuai_app {

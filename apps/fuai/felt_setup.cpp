@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "fuai/core/error.h"
+#include "fuai/sim/felt_options.h"
 
 namespace fuai_app {
 

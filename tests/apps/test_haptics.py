@@ -4,6 +4,7 @@ SPDX-License-Identifier: Apache-2.0
 """
 import csv
 import json
+import platform
 import signal
 import subprocess
 import time
@@ -15,7 +16,7 @@ RUN = ["haptics", "run", "--virtual-time"]
 SMALL = [*RUN, "--scene", "taut_patch", "--fabric", "wool-tropical", "--size", "9", "--seconds", "0.9"]
 KEYS = {"ticks", "overruns", "force_rms_N", "force_peak_N", "force_error_percent", "energy_min_J", "model_age_ms",
         "force_step_N", "changed_percent", "scale", "force_gain", "braked_ticks", "untrusted_ticks", "cloth_steps",
-        "failed_steps", "state_hash", "device", "hand", "scene", "fabric", "virtual_time", "clock", "stopped"}
+        "failed_steps", "device_ticks", "faulted_ticks", "state_hash", "device", "hand", "scene", "fabric", "virtual_time", "clock", "stopped"}
 REAL = ["haptics", "run", "--no-reference", "--scene", "taut_patch", "--fabric", "wool-tropical", "--size", "9"]
 
 
@@ -126,6 +127,23 @@ class Pictures(Case):
 
 
 class Safety(Case):
+    @unittest.skipUnless(platform.machine() == "x86_64", "OpenHaptics is for x86-64 only")
+    def test_a_device_that_gave_no_force_is_told(self):
+        # The vendor's scheduler of this fake stands still unless a test moves it.
+        fake = PROGRAM.parent.parent / "fakes" / "libfake_hd.so"
+        words = ["haptics", "run", "--no-reference", "--device", "openhaptics", "--fabric", "wool-tropical", "--size",
+                 "9", "--seconds", "0.5"]
+        environment = {"FUAI_HD_LIBRARY": str(fake)}
+        result = self.json_of(*words, environment=environment)
+        self.assertGreater(result["device_ticks"]["disconnected"], 0)
+        self.assertEqual((result["force_peak_N"], result["faulted_ticks"]), (0, 0))
+        printed = self.run_program(*words, environment=environment).stdout
+        self.assertRegex(printed, r"(?m)^device        unplugged or silent in \d+ ticks")
+        # Nothing is said where there is nothing to say.
+        result = self.json_of(*SMALL)
+        self.assertEqual(set(result["device_ticks"].values()), {0})
+        self.assertNotIn("device ", self.run_program(*SMALL, "--no-reference").stdout)
+
     def start(self, *words):
         process = subprocess.Popen([PROGRAM, "--json", *words], cwd=self.folder, text=True, stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE, stdin=subprocess.DEVNULL)

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <atomic>
 #include <limits>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include "fakes/fake_clock.h"
 #include "fakes/fake_inverse.h"
@@ -222,6 +224,27 @@ TEST_SUITE("unit") {
     CHECK(report.why_not == "no Inverse Service answers at 127.0.0.1:1: Connection refused");
     CHECK(report.cure.find("haply-inverse-service") != std::string::npos);
     CHECK(report.findings.front().what == "GET /version at 127.0.0.1:1");
+  }
+
+  TEST_CASE("Inverse3: what --diagnose says of a service that is there") {
+    // probe() waits for answers, so somebody else has to give them.
+    FakeInverse service;
+    service.accept = [](const std::string& key) { return websocket_accept(key); };
+    const ScopedVariable variable(kInverse3AddressVariable, service.socket.address());
+    std::atomic<bool> over = false;
+    std::thread serving([&] {
+      while (!over.load()) service.pump();
+    });
+    const DriverReport report = inverse3_driver().probe();
+    over.store(true);
+    serving.join();
+    CHECK(report.available);
+    REQUIRE(report.findings.size() >= 3);
+    CHECK(report.findings[0].what == "GET /version at " + service.socket.address());
+    CHECK(report.findings[0].found == "3.5.0");
+    CHECK(report.findings[0].fine);
+    CHECK(report.findings[1].what == "GET /version at 127.0.0.1:10000");
+    CHECK(report.findings[2].found.find("049D") != std::string::npos);
   }
 }
 

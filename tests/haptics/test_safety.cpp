@@ -11,6 +11,7 @@
 #include "fuai/core/error.h"
 #include "fuai/haptics/virtual_session.h"
 #include "support/allocation_guard.h"
+#include "support/lock_guard.h"
 #include "wide_open.h"
 
 using namespace fuai;
@@ -248,17 +249,20 @@ TEST_SUITE("safety") {
 }
 
 TEST_SUITE("realtime") {
-  TEST_CASE("a million ticks without an allocation") {
+  TEST_CASE("a million ticks without an allocation or a lock") {
     SimulatedDeviceSpec spec = find_device_preset("touch");
     Bench bench;
     DeviceSample sample;
     const AllocationGuard guard;
+    const LockGuard locks;
     for (int i = 0; i < 1'000'000; ++i) {
       sample.position.x() = 0.02 * std::sin(0.01 * i);
       if (i % 1000 == 999) sample.position.x() = NAN;  // trouble must not allocate either
       bench.tick(sample, kTick, i % 16 == 0);
     }
+    const std::size_t taken = locks.count();  // before the test's own
     CHECK(guard.count() == 0);
+    CHECK(taken == 0);
     CHECK(bench.path.counters().ticks == 1'000'000);
     CHECK(bench.path.counters().bad_samples >= 1000);
   }

@@ -141,24 +141,6 @@ TEST_SUITE("unit") {
     CHECK(fabric.warnings.empty());
   }
 
-  TEST_CASE("structure and yarns per centimetre are read; what is no structure is told") {
-    const std::string head = "[weight]\n";
-    const Fabric fabric = parse(with(head,
-                                     "structure = \"satin\"\n[weave]\nwarp_threads_per_cm = 48\n"
-                                     "weft_threads_per_cm = 31.5\n" +
-                                         head));
-    CHECK(fabric.weave.structure == WeaveStructure::kSatin);
-    CHECK(fabric.weave.warp_threads.value == doctest::Approx(4800.0).epsilon(1e-14));
-    CHECK(fabric.weave.weft_threads.value == doctest::Approx(3150.0).epsilon(1e-14));
-    CHECK(!parse(kExample).weave.structure.has_value());
-    CHECK(
-        contains(error_of([&] { parse(with(head, "structure = \"basket\"\n" + head)); }).what(),
-                 "wool.fabric.toml:4:13: structure: unknown structure 'basket'; write plain, twill, satin or "
-                 "knit"));
-    CHECK(contains(error_of([&] { parse(with(head, "[weave]\nwarp_threads_per_cm = 0\n" + head)); }).what(),
-                   "weave.warp_threads_per_cm: the value is zero"));
-  }
-
   TEST_CASE("the most specific provenance wins; a number without any says so") {
     const Fabric fabric = parse(kExample);
     CHECK(fabric.bending[0].B.provenance.source == "FB2");

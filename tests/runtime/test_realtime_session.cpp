@@ -9,6 +9,7 @@
 #include <cmath>
 #include <csignal>
 #include <limits>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "fuai/runtime/interrupt.h"
 #include "fuai/runtime/recorder.h"
 #include "support/allocation_guard.h"
+#include "support/lock_guard.h"
 
 using namespace fuai;
 
@@ -164,7 +166,9 @@ TEST_SUITE("safety") {
       void on_tick(const TickRecord& record) noexcept override {
         if (record.tick.force.norm() <= 0.1 || sent) return;
         sent = true;
-        std::raise(SIGINT);
+        // A terminal and whoever started the program may both pass it on: the second one, within the same
+        // tick, must not end the process with force on the hand.
+        for (const int number : {SIGINT, SIGINT, SIGTERM, SIGHUP}) std::raise(number);
       }
       void on_step(const ClothStepRecord& /*record*/) noexcept override {}
       bool sent = false;
@@ -233,22 +237,25 @@ TEST_SUITE("realtime") {
     CHECK(largest > 0.3);
   }
 
-  TEST_CASE("no allocation in a million ticks, recorded; in the cloth's steps neither") {
-    /// Allocations of each thread, from its first record on; and the records go to a recorder.
+  TEST_CASE("no allocation and no lock in a million ticks, recorded; in the cloth's steps neither") {
+    /// Allocations and locks of each thread, from its first record on; and the records go to a recorder.
     class Counter final : public SessionListener {
      public:
+      struct Count {
+        std::size_t allocations = fuai_test::allocation_count(), locks = fuai_test::lock_count();
+      };
       explicit Counter(Recorder& next) : next_(next) {}
       void on_tick(const TickRecord& record) noexcept override {
-        if (record.number == 0) ticks_before = fuai_test::allocation_count();
-        ticks_after = fuai_test::allocation_count();
+        if (record.number == 0) ticks_before = {};
+        ticks_after = {};
         next_.on_tick(record);
       }
       void on_step(const ClothStepRecord& record) noexcept override {
-        if (record.number == 1) steps_before = fuai_test::allocation_count();
-        steps_after = fuai_test::allocation_count();
+        if (record.number == 1) steps_before = {};
+        steps_after = {};
         next_.on_step(record);
       }
-      std::size_t ticks_before = 0, ticks_after = 0, steps_before = 0, steps_after = 0;
+      Count ticks_before, ticks_after, steps_before, steps_after;
 
      private:
       Recorder& next_;
@@ -270,8 +277,15 @@ TEST_SUITE("realtime") {
     const RealtimeReport report = trial.run(options_of(1'000'000), &counter);
     recorder.finish();
     CHECK(report.ticks == 1'000'000);
-    CHECK(counter.ticks_after == counter.ticks_before);
-    CHECK(counter.steps_after == counter.steps_before);
+    CHECK(counter.ticks_after.allocations == counter.ticks_before.allocations);
+    CHECK(counter.ticks_after.locks == counter.ticks_before.locks);
+    CHECK(counter.steps_after.allocations == counter.steps_before.allocations);
+    CHECK(counter.steps_after.locks == counter.steps_before.locks);
+    // Who takes a lock is seen.
+    std::mutex mutex;
+    const fuai_test::LockGuard guard;
+    { const std::lock_guard lock(mutex); }
+    CHECK(guard.count() == (fuai_test::counts_locks() ? 1 : 0));
     CHECK(report.cloth_steps > 0);
     CHECK(bin.ticks > 0);
   }

@@ -167,14 +167,20 @@ TEST_SUITE("analytic") {
     CHECK(std::abs(probe.warp_bending.strain) < 1e-9);
     CHECK(std::abs(probe.weft_tension.strain) < 1e-14);
 
-    // Strained by halves: the mean of the edges about a slot, weighted by the patch.
+    // Strained more and more along the weft: the edge between the first two has most of the patch.
     shape(model, material, state,
           [&](const Vec2& m) { return Vec3(m.x() + 0.5 * m.x() * m.x(), m.y(), 0.0); });
-    const std::vector<double> strain = field_of(model, material, state, ClothField::kWeftStrain);
-    double expected = 0.0;
-    for (Index i = 0; i < 3; ++i) expected += weights[i] * strain[static_cast<Index>(slots[i])];
+    const std::vector<Vec3>& x = state.positions;
+    const double expected =
+        (x[static_cast<Index>(slots[1])] - x[static_cast<Index>(slots[0])]).norm() / kH - 1.0;
     const ClothProbe stretched = probe_cloth(model, material, state, slots, weights);
     CHECK(stretched.weft_tension.strain == doctest::Approx(expected).epsilon(1e-12));
+    // On the loop, where the mean of the field over the patch is not.
+    const double stress =
+        material.weft_tension
+            .evaluate(stretched.weft_tension.strain, state.weft_tension[static_cast<Index>(slots[0])])
+            .stress;
+    CHECK(stretched.weft_tension.stress == doctest::Approx(stress).epsilon(1e-12));
     CHECK(expected > 0.01);
   }
 }

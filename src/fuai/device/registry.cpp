@@ -29,8 +29,7 @@ std::unique_ptr<Device> open_simulated(const DeviceRequest& request) {
 }  // namespace
 
 DeviceDriver simulated_driver() {
-  return {"simulated", "a computed device with a computed hand, in virtual time", true, probe_simulated,
-          open_simulated};
+  return {"simulated", "a computed device with a computed hand", true, probe_simulated, open_simulated};
 }
 
 std::span<const DeviceDriver> device_drivers() {

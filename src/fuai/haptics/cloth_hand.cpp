@@ -10,14 +10,6 @@
 
 namespace fuai {
 
-ImplicitOptions make_felt_options(const ImplicitOptions& scene) {
-  ImplicitOptions options = scene;
-  options.linearisations = 8;
-  options.relinearise = 0.002;
-  options.implicitness = kFeltImplicitness;
-  return options;
-}
-
 ClothHand::ClothHand(const ClothModel& model, const ClothMaterial& material, const ClothSolverOptions& solver,
                      const ClothState& start, std::span<const GraspSpec> grasps,
                      const ClothHandOptions& options)

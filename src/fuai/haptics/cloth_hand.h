@@ -37,18 +37,6 @@ struct ClothHandOptions {
   double reach = 0.0;
 };
 
-/// Steps of a felt cloth, and of what it is compared with, are implicit Euler's: with less damping a light
-/// sheet that snaps through under the hand goes another way for every rounding (graded-1 and the faille,
-/// bent: 4 and 8 % from the converged solve in place of 0.9 % at worst; the other bundled fabrics come out
-/// the same).
-inline constexpr double kFeltImplicitness = 1.0;
-
-/// How to step a cloth that is felt: each step to 0.2 % of its force, in up to eight linearisations. Tuned on
-/// the bundled fabrics bent by a hand that moves in encoder steps (test_cloth_force): the solver's own two
-/// linearisations miss up to 2.5 % of the force there, and more iterations in each help less. Thread class:
-/// any.
-ImplicitOptions make_felt_options(const ImplicitOptions& scene);
-
 /// Hands on one cloth: one, or several that hold it together.
 class ClothHand final : public HapticEnvironment {
  public:

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fuai/haptics/cloth_hand.h"
+#include "fuai/sim/felt_options.h"
 
 namespace fuai {
 namespace {

@@ -263,4 +263,11 @@ void check_can_write(const std::string& path) {
            "check its permissions");
 }
 
+void check_input_survives(const std::string& output, const std::string& input, const std::string& cure) {
+  std::error_code code;
+  if (!std::filesystem::equivalent(output, input, code)) return;
+  throw Error(ErrorKind::kUsage, "this would replace the input file '" + input + "'", {output, 0, 0, ""},
+              cure);
+}
+
 }  // namespace fuai

@@ -54,4 +54,8 @@ void write_together(std::span<const NamedText> files);
 /// @throws Error (kBadInput), the same as write_atomically(). Thread class: set-up.
 void check_can_write(const std::string& path);
 
+/// What is read is never replaced by what is made of it. @param input an existing file or not, by any name
+/// @param cure which option to change. @throws Error (kUsage). Thread class: set-up.
+void check_input_survives(const std::string& output, const std::string& input, const std::string& cure);
+
 }  // namespace fuai

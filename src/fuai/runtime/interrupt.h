@@ -1,15 +1,19 @@
-// SIGINT and SIGTERM as a flag: a session that is asked to stop ends by itself, with no force on the hand.
+// Signals as a flag: a session that is asked to stop ends by itself, with no force on the hand.
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <csignal>
-
+#include <array>
 #include <atomic>
+#include <csignal>
 
 namespace fuai {
 
-/// Takes both signals while it lives; one at a time in a process. The same signal
-/// a second time ends the process as ever.
+/// A signal that comes so soon after the first is the same wish [s]: Ctrl-C may arrive twice, and a session
+/// needs a moment to take its force off the hand.
+inline constexpr double kInterruptGrace = 0.5;
+
+/// Takes SIGINT, SIGTERM and SIGHUP while it lives, SIGHUP only where nohup does not hold it off; one at a
+/// time in a process. A signal later than kInterruptGrace after the first ends the process as ever.
 class InterruptFlag {
  public:
   InterruptFlag();  ///< Thread class: set-up.
@@ -20,8 +24,7 @@ class InterruptFlag {
   const std::atomic<bool>& flag() const noexcept;
 
  private:
-  struct sigaction before_interrupt_ {};
-  struct sigaction before_terminate_ {};
+  std::array<struct sigaction, 3> before_{};
 };
 
 }  // namespace fuai

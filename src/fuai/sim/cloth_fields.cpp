@@ -133,31 +133,48 @@ void show_speed(const Look& look, std::span<double> values) noexcept {
     values[slot] = look.model.live[slot] != 0 ? look.state.velocities[slot].norm() : kNothing;
 }
 
-/// A weighted mean over places that may have nothing to say.
-struct Mean {
-  Pair sum{};
-  double weights = 0.0;
-
-  void add(const Pair& pair, double weight) noexcept {
-    if (!(weight > 0.0) || pair.strain != pair.strain) return;
-    sum.strain += weight * pair.strain;
-    sum.stress += weight * pair.stress;
-    weights += weight;
-  }
-  Pair value() const noexcept {
-    return weights > 0.0 ? Pair{sum.strain / weights, sum.stress / weights} : Pair{};
-  }
-};
-
-/// The elements about a slot, each with its part of the slot's weight.
+/// How much of a patch is at the corners of an element.
 template <class Elements>
-void add_about(const Look& look, std::size_t slot, double weight, Mean& mean) noexcept {
-  const double about = area_about<Elements>(look, slot);
-  for (const std::size_t step : Elements::corners(look)) {
-    if (slot < step) continue;
-    const double area = Elements::areas(look)[slot - step];
-    if (area > 0.0) mean.add(Elements::pair(look, slot - step), weight * area / about);
+double share_of_patch(const Look& look, std::size_t element, std::span<const int> slots,
+                      std::span<const double> weights) noexcept {
+  double share = 0.0;
+  for (std::size_t i = 0; i < slots.size(); ++i)
+    for (const std::size_t step : Elements::corners(look))
+      if (static_cast<std::size_t>(slots[i]) == element + step) share += weights[i];
+  return share;
+}
+
+/// Strain and stress of the element with most of a patch; zeros where it touches none.
+template <class Elements>
+Pair pair_at(const Look& look, std::span<const int> slots, std::span<const double> weights) noexcept {
+  double most = 0.0;
+  std::size_t chosen = 0;
+  for (const int slot : slots) {
+    for (const std::size_t step : Elements::corners(look)) {
+      if (static_cast<std::size_t>(slot) < step) continue;
+      const std::size_t element = static_cast<std::size_t>(slot) - step;
+      if (!(Elements::areas(look)[element] > 0.0)) continue;
+      const double share = share_of_patch<Elements>(look, element, slots, weights);
+      if (share <= most) continue;
+      most = share;
+      chosen = element;
+    }
   }
+  return most > 0.0 ? Elements::pair(look, chosen) : Pair{};
+}
+
+/// The same of the triple in the middle of most of the patch.
+Pair bending_at(const Look& look, std::size_t direction, std::span<const int> slots,
+                std::span<const double> weights) noexcept {
+  double most = 0.0;
+  Pair chosen;
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    const Pair pair = bending_pair(look, static_cast<std::size_t>(slots[i]), direction);
+    if (weights[i] <= most || pair.strain != pair.strain) continue;
+    most = weights[i];
+    chosen = pair;
+  }
+  return chosen;
 }
 
 }  // namespace
@@ -196,17 +213,9 @@ void evaluate_field(const ClothModel& model, const ClothMaterial& material, cons
 ClothProbe probe_cloth(const ClothModel& model, const ClothMaterial& material, const ClothState& state,
                        std::span<const int> slots, std::span<const double> weights) noexcept {
   const Look look{model, material, state};
-  Mean warp_bending, weft_bending, shear, warp_tension, weft_tension;
-  for (std::size_t i = 0; i < slots.size(); ++i) {
-    const auto slot = static_cast<std::size_t>(slots[i]);
-    warp_bending.add(bending_pair(look, slot, 1), weights[i]);
-    weft_bending.add(bending_pair(look, slot, 0), weights[i]);
-    add_about<Cells>(look, slot, weights[i], shear);
-    add_about<WarpEdges>(look, slot, weights[i], warp_tension);
-    add_about<WeftEdges>(look, slot, weights[i], weft_tension);
-  }
-  return {warp_bending.value(), weft_bending.value(), shear.value(), warp_tension.value(),
-          weft_tension.value()};
+  return {bending_at(look, 1, slots, weights), bending_at(look, 0, slots, weights),
+          pair_at<Cells>(look, slots, weights), pair_at<WarpEdges>(look, slots, weights),
+          pair_at<WeftEdges>(look, slots, weights)};
 }
 
 }  // namespace fuai

@@ -41,7 +41,8 @@ constexpr bool is_signed(ClothField field) noexcept {
 void evaluate_field(const ClothModel& model, const ClothMaterial& material, const ClothState& state,
                     ClothField field, std::span<double> values) noexcept;
 
-/// Strain and stress of each law at a place: means over a patch.
+/// Strain and stress of each law at a place: of the element that has most of a patch. Means over elements
+/// that are strained unlike each other would lie beside the loop of the law.
 struct ClothProbe {
   struct Pair {
     double strain = 0.0;  ///< curvature [1/m], angle [rad] or strain [-]
