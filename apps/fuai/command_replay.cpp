@@ -83,6 +83,13 @@ int replay_viewed(const Console& console, const ReplayOptions& options) {
   json.set("ticks", replay.ticks).set("checkpoints", replay.hashes);
   json.set("first_wrong_tick",
            replay.first_difference < 0 ? JsonValue() : JsonValue(replay.first_difference));
+  JsonValue::Array forces;
+  for (const ViewReplayForce& force : replay.forces)
+    forces.push_back(JsonValue()
+                         .set("cloth", static_cast<std::int64_t>(force.cloth) + 1)
+                         .set("hand", static_cast<std::int64_t>(force.hand))
+                         .set("force_N", force.newtons));
+  json.set("forces", std::move(forces));
   console.result(json.set("kind", "view"));
   if (replay.matches()) return 0;
   console.warn("the replay does not match: another program or another processor");
@@ -90,8 +97,11 @@ int replay_viewed(const Console& console, const ReplayOptions& options) {
 }
 
 int run_replay(const Console& console, const ReplayOptions& options) {
-  if (options.file.ends_with(".fuai-view")) return replay_viewed(console, options);
-  if (!options.csv.empty()) check_can_write(options.csv);
+  if (options.file.ends_with(kViewLogEnding)) return replay_viewed(console, options);
+  if (!options.csv.empty()) {
+    check_input_survives(options.csv, options.file, "give --csv another name");
+    check_can_write(options.csv);
+  }
   const SessionLog log = read_session_log(options.file);
   if (!log.damage.empty()) console.warn(options.file + ": " + log.damage + "; what is whole is replayed");
   if (log.ticks.empty()) {

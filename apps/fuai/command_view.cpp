@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,8 @@
 #include "fuai/core/error.h"
 #include "fuai/core/hash.h"
 #include "fuai/device/registry.h"
+#include "fuai/io/text_file.h"
+#include "fuai/runtime/interrupt.h"
 #include "fuai/viewer/view_session.h"
 #include "fuai/window/kept_settings.h"
 #include "fuai/window/viewer.h"
@@ -26,13 +29,14 @@ struct ViewOptions {
   int size = 0;         ///< nodes a side; 0: the scene's own
   std::string spacing;  ///< with unit; empty: the scene's own
   std::string seconds;  ///< with unit; empty: until it is closed
-  std::string screenshot, record, folder = ".";
+  std::string screenshot, record, replay, folder = ".";
   std::string device = "mouse";
   std::string language, theme, units, heat_map;
   int width = 1280, height = 720;
   std::string texture, texture_width = "10cm";
-  int zoom = 1;
-  bool headless = false, moves = false, bare = false, weave = false, no_weave = false, rumble = false;
+  int zoom = 1, felt = 1, scale = 0;
+  bool headless = false, moves = false, bare = false, weave = false, no_weave = false, rumble = false,
+       sound = false;
 };
 
 /// The first bundled fabric that a newcomer sees: measured in bending and tension, of middling weight.
@@ -66,6 +70,7 @@ ViewSettings settings_of(const ViewOptions& options, ViewSettings settings) {
   if (!options.units.empty()) settings.units = options.units == "si" ? UnitSystem::kSi : UnitSystem::kKes;
   if (options.bare) settings.fabric_panel = settings.plots = false;
   if (options.weave || options.no_weave) settings.yarns = options.weave;
+  if (options.scale > 0) settings.letters = options.scale;
   settings.heat_map = heat_map_of(options.heat_map);
   return settings;
 }
@@ -106,12 +111,17 @@ int run_view(const Console& console, const ViewOptions& options) {
   }
   viewer.device = options.device;
   viewer.rumble = options.rumble;
+  viewer.sound = options.sound;
+  viewer.felt = static_cast<std::size_t>(options.felt) - 1;
   viewer.screenshot = options.screenshot;
   viewer.record = options.record;
+  viewer.replay = options.replay;
   viewer.folder = options.folder;
   viewer.version = program_version();
   viewer.say = [&console](const std::string& text) { console.warn(text); };
-  if (options.headless && options.seconds.empty()) {
+  check_input_survives(options.record, options.replay, "give --record another name");
+  check_input_survives(options.screenshot, options.replay, "give --screenshot another name");
+  if (options.headless && options.seconds.empty() && options.replay.empty()) {
     throw Error(ErrorKind::kUsage, "without a window there is nobody to close it", {},
                 "add --seconds, e.g. --seconds 2s --screenshot cloth.png");
   }
@@ -119,6 +129,9 @@ int run_view(const Console& console, const ViewOptions& options) {
     throw Error(ErrorKind::kNoDevice, "there is no display", {},
                 "set DISPLAY, or add --headless --seconds 2s --screenshot cloth.png");
   }
+  // Ctrl-C closes a window as a click does: the force of a device goes first. Without one there is a script.
+  std::optional<InterruptFlag> interrupt;
+  if (viewer.window) viewer.stop = &interrupt.emplace().flag();
   const ViewerResult result = run_viewer(viewer);
   JsonValue json;
   json.set("seconds", result.seconds)
@@ -127,10 +140,19 @@ int run_view(const Console& console, const ViewOptions& options) {
       .set("paint_ms", result.paint_ms)
       .set("renderer", result.renderer)
       .set("state_hash", hash_text(result.state_hash));
+  JsonValue::Array forces;
+  for (const ShownForce& force : result.forces)
+    forces.push_back(JsonValue()
+                         .set("cloth", static_cast<std::int64_t>(force.cloth) + 1)
+                         .set("hand", force.hand)
+                         .set("shown", force.text));
+  json.set("forces", std::move(forces));
   if (!result.device.empty())
     json.set("device", result.device)
         .set("overruns", static_cast<std::int64_t>(result.overruns))
         .set("device_force_peak_N", result.device_force);
+  if (result.replay_hashes > 0)
+    json.set("replay_hashes", result.replay_hashes).set("replay_matches", result.replay_matches);
   if (!options.screenshot.empty()) {
     json.set("file", options.screenshot);
     console.say("wrote " + options.screenshot);
@@ -153,7 +175,12 @@ void declare_view(const Command& parent) {
   command.option(
       "--device", options->device,
       "Driver, or driver:model, as `fuai haptics devices --diagnose` lists them: a hand beside the mouse");
+  command
+      .option("--feel", options->felt,
+              "Which of several fabrics the device feels; in the window the keys 1 to 4")
+      .range(1, static_cast<int>(kMostViewFabrics));
   command.flag("--rumble", options->rumble, "A gamepad rumbles with the force on your hand");
+  command.flag("--sound", options->sound, "A tone rises with the force on your hand");
   command.option("--language", options->language, "en or ja").among({"en", "ja"});
   command.option("--theme", options->theme, "dark or light").among({"dark", "light"});
   command.option("--units", options->units, "kes or si").among({"kes", "si"});
@@ -163,12 +190,18 @@ void declare_view(const Command& parent) {
   command.flag("--no-weave", options->no_weave, "Do not");
   command.option("--texture", options->texture, "PNG that lies on the cloths, repeated");
   command.option("--texture-width", options->texture_width, "What its width is on the cloth, with unit");
+  command
+      .option("--scale", options->scale,
+              "Size of letters and panels in percent; default: what was chosen last, else 100")
+      .range(kLeastLetters, kMostLetters);
   command.option("--zoom", options->zoom, "How many times nearer to begin").range(1, kMostZoom);
   command.flag("--bare", options->bare, "Without the panels at the sides");
   command.option("--seconds", options->seconds,
                  "Simulated time after which it ends, e.g. 2s; default: never");
   command.option("--screenshot", options->screenshot, "PNG of the window, written at the end").file();
   command.option("--record", options->record, "Recording of everything that is done").file();
+  command.option("--replay", options->replay,
+                 "Recording that is done again in the window, and its hashes compared");
   command.option("--out", options->folder, "Folder of pictures, videos and logs that are made by keys");
   command.option("--width", options->width, "Pixels").range(kLeastPixels, kMostPixels);
   command.option("--height", options->height, "Pixels").range(kLeastPixels, kMostPixels);

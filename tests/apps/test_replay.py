@@ -89,6 +89,11 @@ class Safety(Case):
             self.refuse("replay", name, says=message)
         self.refuse("replay", "nosuch.fuailog", says="does not exist")
         self.refuse("replay", "torn.fuailog", "--csv", "no/such/folder.csv", says="does not exist")
+        # Nor is the recording ever replaced by its own table, by whatever name.
+        (self.folder / "link.csv").symlink_to("torn.fuailog")
+        for name in ["torn.fuailog", "./torn.fuailog", "link.csv"]:
+            self.refuse("replay", "torn.fuailog", "--csv", name, expect=2, says="would replace the input file")
+        self.assertEqual((self.folder / "torn.fuailog").read_bytes(), recording[:-20000])
 
     def test_wrong_words_are_refused_with_a_cure(self):
         self.assertIn("FILE is required", self.run_program("replay", expect=2).stderr)

@@ -118,6 +118,39 @@ TEST_SUITE("determinism") {
     CHECK(replay_view_log(other).first_difference == 100);
   }
 
+  TEST_CASE(
+      "felt cloth is felt in the replay; without the line it is the scene's, as it was before there was "
+      "one") {
+    const std::string path = file_name("felt.fuai-view");
+    ViewSetup setup = small_setup();
+    setup.felt = true;
+    Table table(setup);
+    ViewLogWriter log(path, setup);
+    table.session.send(grab(15, {0.04, 0.02}, {0.04, -0.06, 0.0}));
+    table.session.send(move(15, {0.05, -0.05, 0.01}));
+    table.play_to(250);
+    write(table, log);
+    const std::vector<ViewLogPart> parts = read_view_log(path);
+    REQUIRE(parts.size() == 1);
+    CHECK(parts[0].setup.felt);
+    CHECK(replay_view_log(parts).matches());
+
+    const std::string old = file_name("old.fuai-view");
+    put(old, replaced(content(path), "felt 1\n", ""));
+    CHECK_FALSE(read_view_log(old)[0].setup.felt);
+    CHECK(replay_view_log(read_view_log(old)).first_difference == 100);
+    put(old, replaced(content(path), "felt 1\n", "felt 0\n"));
+    CHECK_FALSE(read_view_log(old)[0].setup.felt);
+    CHECK(refusal(replaced(content(path), "felt 1\n", "felt 2\n")).find(":6: the number 2 is out of range") !=
+          std::string::npos);
+
+    // A recording without a device has no such line: earlier versions read it.
+    const std::string plain = file_name("plain.fuai-view");
+    std::int64_t ticks = 0;
+    record(plain, ticks);
+    CHECK(content(plain).find("felt") == std::string::npos);
+  }
+
   TEST_CASE("a recording begins with a reset or with other cloths, in the middle of a session") {
     const ViewSetup setup = small_setup();
     for (const bool reset : {true, false}) {

@@ -46,13 +46,14 @@ ViewSettings random_settings() {
   s.units = coin() ? UnitSystem::kSi : UnitSystem::kKes;
   for (bool* choice : {&s.dark, &s.fabric_panel, &s.plots, &s.yarns, &s.lines, &s.arrows, &s.ground})
     *choice = coin();
+  s.letters = *rc::gen::inRange(kLeastLetters, kMostLetters + 1);
   return s;
 }
 
 bool same(const ViewSettings& a, const ViewSettings& b) {
   return a.language == b.language && a.units == b.units && a.dark == b.dark &&
          a.fabric_panel == b.fabric_panel && a.plots == b.plots && a.yarns == b.yarns && a.lines == b.lines &&
-         a.arrows == b.arrows && a.ground == b.ground;
+         a.arrows == b.arrows && a.ground == b.ground && a.letters == b.letters;
 }
 
 }  // namespace

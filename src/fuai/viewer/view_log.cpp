@@ -44,6 +44,8 @@ std::string setup_text(std::int64_t tick, const ViewSetup& setup, bool keep_shap
   text += std::string(view_log::kSize) + " " + std::to_string(setup.size.size) +
           numbers({setup.size.spacing}) + "\n";
   text += std::string(view_log::kMoves) + (setup.scene_moves ? " 1\n" : " 0\n");
+  // Only where it is so: a recording without a device stays what earlier versions write and read.
+  if (setup.felt) text += std::string(view_log::kFelt) + " 1\n";
   for (const ViewFabric& fabric : setup.fabrics) {
     text += std::string(view_log::kFabric) + " " + hash_text(laws_hash(make_view_laws(fabric)));
     for (const double factor : fabric.factors) text += numbers({factor});
@@ -143,6 +145,16 @@ void ViewLogWriter::write(const std::vector<ViewEvent>& events, std::int64_t rew
   if (!text.empty()) p.file.add(text);
 }
 
+ViewScript view_script(const std::vector<ViewLogPart>& parts, std::size_t part) {
+  ViewScript script;
+  script.first_tick = script.last_tick = parts[part].tick;
+  script.events = parts[part].events;
+  script.more = part + 1 < parts.size();
+  if (!script.events.empty()) script.last_tick = script.events.back().tick;
+  if (script.more) script.last_tick = parts[part + 1].tick;
+  return script;
+}
+
 ViewReplay replay_view_log(const std::vector<ViewLogPart>& parts) {
   ViewReplay replay;
   if (parts.empty()) return replay;
@@ -174,6 +186,12 @@ ViewReplay replay_view_log(const std::vector<ViewLogPart>& parts) {
     }
   }
   replay.ticks = session.ticks();
+  session.tick(1e6);  // paused: a snapshot, and no step
+  session.fetch();
+  const std::vector<ClothView>& cloths = session.snapshot().cloths;
+  for (std::size_t c = 0; c < cloths.size(); ++c)
+    for (std::size_t h = 0; h < kMostViewHands; ++h)
+      if (cloths[c].hands[h].holds) replay.forces.push_back({c, h, cloths[c].hands[h].force.norm()});
   return replay;
 }
 

@@ -53,13 +53,26 @@ struct ViewLogPart {
 /// is not the one that was recorded. Thread class: set-up.
 std::vector<ViewLogPart> read_view_log(const std::string& path);
 
+/// One of the parts as a script for ViewSession::replace(). Thread class: any.
+ViewScript view_script(const std::vector<ViewLogPart>& parts, std::size_t part);
+
+/// What the name of a recording ends with.
+inline constexpr const char* kViewLogEnding = ".fuai-view";
+
+/// The cloth's reaction on a hand of the user.
+struct ViewReplayForce {
+  std::size_t cloth = 0, hand = 0;
+  double newtons = 0.0;  ///< [N]
+};
+
 /// What a replay found.
 struct ViewReplay {
   std::int64_t ticks = 0;
   std::uint64_t state_hash = 0;  ///< at the last hash of the recording
   std::uint64_t recorded_hash = 0;
-  std::int64_t hashes = 0;             ///< compared
-  std::int64_t first_difference = -1;  ///< tick; -1: none
+  std::int64_t hashes = 0;              ///< compared
+  std::int64_t first_difference = -1;   ///< tick; -1: none
+  std::vector<ViewReplayForce> forces;  ///< on the hands that hold after the last event
   bool matches() const noexcept { return hashes > 0 && first_difference < 0; }
 };
 /// Runs a recording again. @throws Error as ViewCloths. Thread class: set-up.

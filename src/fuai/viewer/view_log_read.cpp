@@ -167,6 +167,8 @@ class Reader {
       setup.size.spacing = line.number(0.0, kMostSceneSpacing);
     } else if (first == view_log::kMoves) {
       setup.scene_moves = line.flag();
+    } else if (first == view_log::kFelt) {
+      setup.felt = line.flag();
     } else if (first == view_log::kFabric) {
       setup.fabrics.push_back(read_fabric(line));
     } else if (first == view_log::kBegin) {

@@ -12,7 +12,8 @@ namespace fuai::view_log {
 
 inline constexpr std::string_view kFormat = "fuai-view/1";
 inline constexpr std::string_view kPart = "part", kScene = "scene", kSize = "size", kMoves = "scene_moves",
-                                  kFabric = "fabric", kBegin = "begin", kRewind = "rewind", kHash = "hash";
+                                  kFelt = "felt", kFabric = "fabric", kBegin = "begin", kRewind = "rewind",
+                                  kHash = "hash";
 
 struct CommandWord {
   ViewCommand::Kind kind;

@@ -3,6 +3,7 @@
 // Source: docs/viewer.md, "How it works".
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -13,11 +14,15 @@
 
 namespace fuai::view_orders {
 
+/// How many of each may wait.
+inline constexpr std::size_t kMostOrders = 4096, kMostNotes = std::size_t{1} << 14;
+
 /// From the screen to the cloth.
 struct Order {
   enum class Kind : std::uint8_t { kCommand, kPlay, kSteps, kSeek };
   Kind kind = Kind::kCommand;
   ViewCommand command;
+  std::uint64_t build = 0;  ///< kCommand: the newest that the screen had asked for
   std::int64_t number = 0;  ///< kPlay: 0 or 1, kSteps: how many, kSeek: tick
 };
 
@@ -33,6 +38,7 @@ struct Delivery {
   std::unique_ptr<ViewHistory> history;  ///< null: the old one has the right size
   std::uint64_t build = 0;
   bool keep_shape = false;
+  std::shared_ptr<const ViewScript> script;  ///< null: none
   Delivery* next = nullptr;
 };
 

@@ -1,24 +1,18 @@
-// The two sides of the session and what goes between them.
+// The cloth's side of the session.
 // SPDX-License-Identifier: Apache-2.0
 #include "fuai/viewer/view_session.h"
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 #include <utility>
 
-#include "fuai/core/mailbox_rt.h"
-#include "fuai/core/spsc_queue_rt.h"
-#include "fuai/viewer/view_history.h"
-#include "fuai/viewer/view_orders.h"
-#include "fuai/viewer/view_stage.h"
+#include "fuai/viewer/view_session_parts.h"
 
 namespace fuai {
 namespace {
 
 using namespace view_orders;
 
-constexpr std::size_t kMostOrders = 4096, kMostNotes = std::size_t{1} << 14;
 constexpr int kStepsARound = 32;          ///< of a seek: the cloth's thread listens between
 constexpr double kEnergyPeriod_us = 1e5;  ///< energies are for reading, and cost as much as a step
 constexpr double kSnapshotPeriod_us = 1e6 * kSnapshotPeriod;
@@ -30,65 +24,6 @@ double clock_us() noexcept {
 
 }  // namespace
 
-struct ViewSession::Parts {
-  Parts(std::unique_ptr<ViewStage> first, Team* shared_team)
-      : team(shared_team), stage(std::move(first)), history(std::make_unique<ViewHistory>(*stage)) {
-    slots = stage->slot_counts();
-  }
-  ~Parts() {
-    free_all(incoming.load());
-    free_all(retired.load());
-  }
-
-  // ---- between the threads ----
-  SpscQueue<Order> orders{kMostOrders};
-  SpscQueue<Note> notes{kMostNotes};
-  std::unique_ptr<Mailbox<ViewSnapshot>> box;
-  std::atomic<Delivery*> incoming{nullptr}, retired{nullptr};
-  std::atomic<int> field{-1};
-  std::atomic<std::int64_t> now{0};
-  std::atomic<std::uint64_t> lost{0};
-
-  // ---- the screen's ----
-  std::uint64_t builds = 0;
-  std::vector<std::size_t> slots;  ///< of the cloths that were delivered last
-
-  // ---- the cloth's ----
-  Team* team;
-  std::unique_ptr<ViewStage> stage;
-  std::unique_ptr<ViewHistory> history;
-  std::uint64_t build = 0;
-  std::int64_t tick = 0, newest = 0;
-  std::int64_t begun = -1;   ///< last tick whose beginning was seen to: state kept, hash noted
-  std::int64_t target = -1;  ///< of a seek that is under way
-  std::int64_t steps = 0;    ///< asked for while paused
-  bool playing = false;
-  ViewSnapshot draft;
-  bool dirty = false, must_show = false;  ///< something changed without a tick; at once
-  std::int64_t shown_tick = 0;
-  int shown_field = -1;
-  double shown_at = -std::numeric_limits<double>::infinity(), energies_at = shown_at;
-  double busy_us = 0.0;
-  int busy_ticks = 0;
-  std::uint64_t disturbances = 0;
-
-  void note(const ViewEvent& event, bool is_rewind = false) noexcept;
-  void forget_newer() noexcept;
-  void begin_tick();
-  void done(const ViewEvent& event) noexcept;
-  void step() noexcept;
-  void adopt();
-  void obey();
-  void take(const Order& order);
-  void command(const ViewCommand& command);
-  void start_seek(std::int64_t to);
-  void go_on_seeking();
-  void redo_events() noexcept;
-  bool advance(const DevicePose* device);
-  void show(double wall_us);
-  void fill_draft(bool energies);
-};
-
 void ViewSession::Parts::note(const ViewEvent& event, bool is_rewind) noexcept {
   if (!notes.push({is_rewind, event})) lost.fetch_add(1, std::memory_order_relaxed);
 }
@@ -98,6 +33,7 @@ void ViewSession::Parts::forget_newer() noexcept {
   if (tick == newest) return;
   newest = tick;
   begun = std::min(begun, tick);
+  scripted = std::min(scripted, tick);
   if (!history->forget_after(tick)) return;
   ViewEvent rewind;
   rewind.tick = tick + 1;
@@ -150,6 +86,7 @@ void ViewSession::Parts::adopt() {
   event.build = build;
   event.kept_shape = delivery->keep_shape;
   note(event);
+  begin_script(delivery->script);
   must_show = true;
   // Handed back; only this thread puts anything there but null.
   delivery->next = retired.exchange(nullptr, std::memory_order_acq_rel);
@@ -169,6 +106,8 @@ void ViewSession::Parts::obey() {
 void ViewSession::Parts::take(const Order& order) {
   switch (order.kind) {
     case Order::Kind::kCommand:
+      if (script_view.follows && order.build < build) return;  // meant for the cloths before
+      end_script();
       return command(order.command);
     case Order::Kind::kPlay:
       playing = order.number != 0;
@@ -230,6 +169,48 @@ void ViewSession::Parts::go_on_seeking() {
   now.store(tick, std::memory_order_relaxed);
 }
 
+void ViewSession::Parts::begin_script(std::shared_ptr<const ViewScript>& next) noexcept {
+  script.swap(next);  // the old one goes back to the screen's thread, which frees it
+  script_start = tick;
+  scripted = hashed = tick - 1;
+  script_view = {};
+  script_view.follows = script != nullptr;
+}
+
+void ViewSession::Parts::end_script() noexcept {
+  if (script_view.follows) script_view.tick = script_tick();
+  script_view.follows = false;
+}
+
+/// The events of the script at this tick. @return whether it goes on
+bool ViewSession::Parts::follow_script() {
+  const std::int64_t at = script_tick();
+  if (tick > scripted) {
+    scripted = tick;
+    auto next = std::ranges::lower_bound(script->events, at, {}, &ViewEvent::tick);
+    for (; next != script->events.end() && next->tick == at; ++next) {
+      const ViewEvent& event = *next;
+      if (event.kind == ViewEvent::Kind::kCommand) command(event.command);
+      if (event.kind != ViewEvent::Kind::kHash || tick <= hashed) continue;
+      hashed = tick;
+      ++script_view.hashes;
+      if (stage->hash() != event.hash && script_view.first_difference < 0) script_view.first_difference = at;
+    }
+  }
+  if (at < script->last_tick) return true;
+  if (script->more) return false;
+  end_script();
+  playing = false;
+  steps = 0;
+  dirty = true;
+  return false;
+}
+
+void ViewSession::Parts::follow_feeling() noexcept {
+  const std::size_t wanted = std::min(felt.load(std::memory_order_relaxed), stage->size() - 1);
+  if (std::exchange(felt_now, wanted) != wanted) ++disturbances;
+}
+
 /// @return whether a new tick was done
 bool ViewSession::Parts::advance(const DevicePose* device) {
   if (!playing && steps == 0) return false;
@@ -243,8 +224,9 @@ bool ViewSession::Parts::advance(const DevicePose* device) {
     }
   }
   forget_newer();
-  if (device != nullptr)
-    if (const std::optional<ViewCommand> wish = stage->command_of(*device)) command(*wish);
+  if (script_view.follows && !follow_script()) return false;
+  if (device != nullptr && !script_view.follows)
+    if (const std::optional<ViewCommand> wish = stage->command_of(*device, felt_now)) command(*wish);
   begin_tick();
   step();
   newest = tick;
@@ -257,6 +239,8 @@ void ViewSession::Parts::fill_draft(bool energies) {
   draft.first_tick = history->empty() ? tick : history->first_tick();
   draft.newest_tick = newest;
   draft.playing = playing;
+  draft.script = script_view;
+  if (script_view.follows) draft.script.tick = script_tick();
   if (busy_ticks > 0) draft.step_us = busy_us / busy_ticks;
   busy_us = 0.0;
   busy_ticks = 0;
@@ -297,75 +281,10 @@ ViewSession::ViewSession(std::shared_ptr<ViewCloths> cloths, Team* team)
 
 ViewSession::~ViewSession() = default;
 
-bool ViewSession::send(const ViewCommand& command) noexcept {
-  return parts_->orders.push({Order::Kind::kCommand, command, 0});
-}
-
-void ViewSession::play(bool plays) noexcept { parts_->orders.push({Order::Kind::kPlay, {}, plays ? 1 : 0}); }
-
-void ViewSession::single_steps(int ticks) noexcept {
-  parts_->orders.push({Order::Kind::kSteps, {}, std::max(ticks, 0)});
-}
-
-void ViewSession::seek(std::int64_t tick) noexcept {
-  parts_->orders.push({Order::Kind::kSeek, {}, std::max<std::int64_t>(tick, 0)});
-}
-
-void ViewSession::show_field(int field) noexcept {
-  parts_->field.store(field >= 0 && field < kClothFieldCount ? field : -1, std::memory_order_relaxed);
-}
-
-std::uint64_t ViewSession::replace(std::shared_ptr<ViewCloths> cloths, bool keep_shape) {
-  Parts& p = *parts_;
-  auto delivery = std::make_unique<Delivery>();
-  delivery->stage = std::make_unique<ViewStage>(std::move(cloths));
-  delivery->build = ++p.builds;
-  delivery->keep_shape = keep_shape;
-  const std::vector<std::size_t> slots = delivery->stage->slot_counts();
-  if (slots != p.slots) delivery->history = std::make_unique<ViewHistory>(*delivery->stage);
-  p.slots = slots;
-  // What was not taken yet is never seen: its memory goes on, and its start where it was to begin anew.
-  const std::unique_ptr<Delivery> missed(p.incoming.exchange(nullptr, std::memory_order_acq_rel));
-  if (missed) {
-    if (!delivery->history) delivery->history = std::move(missed->history);
-    delivery->keep_shape = delivery->keep_shape && missed->keep_shape;
-  }
-  const std::uint64_t build = delivery->build;
-  p.incoming.store(delivery.release(), std::memory_order_release);
-  free_all(p.retired.exchange(nullptr, std::memory_order_acq_rel));
-  return build;
-}
-
-std::uint64_t ViewSession::newest_build() const noexcept { return parts_->builds; }
-
-bool ViewSession::fetch() noexcept { return parts_->box->fetch(); }
-
-const ViewSnapshot& ViewSession::snapshot() const noexcept { return parts_->box->value(); }
-
-std::vector<ViewEvent> ViewSession::take_events(std::int64_t& rewound_to) {
-  free_all(parts_->retired.exchange(nullptr, std::memory_order_acq_rel));
-  rewound_to = -1;
-  std::vector<ViewEvent> events;
-  Note note;
-  while (parts_->notes.take(note)) {
-    if (!note.is_rewind) {
-      events.push_back(note.event);
-      continue;
-    }
-    const std::int64_t from = note.event.tick;
-    rewound_to = rewound_to < 0 ? from : std::min(rewound_to, from);
-    while (!events.empty() && events.back().tick >= from) events.pop_back();
-  }
-  return events;
-}
-
-std::uint64_t ViewSession::lost_events() const noexcept {
-  return parts_->lost.load(std::memory_order_relaxed);
-}
-
 bool ViewSession::tick(double wall_us, const DevicePose* device) {
   Parts& p = *parts_;
   p.adopt();
+  p.follow_feeling();
   p.obey();
   bool did = false;
   if (p.target >= 0) {
@@ -380,10 +299,10 @@ bool ViewSession::tick(double wall_us, const DevicePose* device) {
 std::int64_t ViewSession::ticks() const noexcept { return parts_->now.load(std::memory_order_relaxed); }
 
 DeviceTouch ViewSession::device_touch() const noexcept {
-  return {parts_->stage->device_reading(), parts_->disturbances};
+  return {parts_->stage->device_reading(parts_->felt_now), parts_->disturbances};
 }
 
-double ViewSession::stored_energy() const { return parts_->stage->stored_energy(); }
+double ViewSession::stored_energy() const { return parts_->stage->stored_energy(parts_->felt_now); }
 
 std::uint64_t ViewSession::state_hash() const { return parts_->stage->hash(); }
 

@@ -78,8 +78,9 @@ struct DevicePose {
 
 /// What it feels after a tick.
 struct DeviceTouch {
-  GraspReading reading;  ///< of the first cloth
-  /// Counts what may have put energy into the first cloth, or taken it out, besides this hand.
+  GraspReading reading;  ///< of the cloth that is felt
+  /// Counts what may have put energy into that cloth, or taken it out, besides this hand; another cloth that
+  /// is felt counts, too.
   std::uint64_t disturbances = 0;
 };
 
@@ -93,6 +94,21 @@ struct ViewEvent {
   std::uint64_t hash = 0;   ///< kHash: of all cloths
   std::uint64_t build = 0;  ///< kReplaced: as replace() gave it
   bool kept_shape = false;  ///< kReplaced: as it was asked for
+};
+
+/// What a recording says is to be done, for a session that does it again.
+struct ViewScript {
+  std::int64_t first_tick = 0, last_tick = 0;  ///< as the recording counts; at the last it stops
+  std::vector<ViewEvent> events;               ///< commands and hashes, their ticks from first to last
+  bool more = false;                           ///< another follows, which is waited for at the last tick
+};
+
+/// How far a script is.
+struct ScriptView {
+  bool follows = false;                ///< there is one: it runs, or waits at its last tick
+  std::int64_t tick = 0;               ///< of the recording
+  std::int64_t hashes = 0;             ///< compared
+  std::int64_t first_difference = -1;  ///< tick of the recording; -1: none
 };
 
 /// A cloth at a moment.
@@ -115,6 +131,7 @@ struct ViewSnapshot {
   std::int64_t tick = 0;
   std::uint64_t build = 0;  ///< number of the setup that it belongs to
   std::vector<ClothView> cloths;
+  ScriptView script;
   double time = 0.0;             ///< simulated [s]
   double step_us = 0.0;          ///< mean time that a tick of all cloths took since the last snapshot [us]
   std::int64_t first_tick = 0;   ///< seek() goes back so far
@@ -157,9 +174,16 @@ class ViewSession {
   /// velocities, holds and the memory of friction over where scene, lattice and pins are the same; a cloth
   /// that was not there before gets the shape of the first. @return the build number its snapshots and the
   /// event will have.
-  std::uint64_t replace(std::shared_ptr<ViewCloths> cloths, bool keep_shape);
+  /// @param script to follow from there on: its commands are done at their ticks, and its hashes compared,
+  /// until the session pauses at its last tick. A command of the user's, or a replace() without a script,
+  /// ends it; the hand of a device does nothing meanwhile.
+  std::uint64_t replace(std::shared_ptr<ViewCloths> cloths, bool keep_shape,
+                        std::shared_ptr<const ViewScript> script = nullptr);
   /// The last number that replace() gave; 0 before the first. What it belongs to may still be on its way.
   std::uint64_t newest_build() const noexcept;
+  /// Which cloth the hand of a device feels and takes hold of, and whose energy stored_energy() tells; where
+  /// there are fewer, the last.
+  void feel(std::size_t cloth) noexcept;
   /// Which ClothField the snapshots are to carry; none: -1.
   void show_field(int field) noexcept;
   void play(bool plays) noexcept;
@@ -189,7 +213,7 @@ class ViewSession {
   bool tick(double wall_us, const DevicePose* device = nullptr);
   /// Thread class: real-time.
   DeviceTouch device_touch() const noexcept;
-  /// As ClothSimulation::stored_energy(), of the first cloth; costs as much as a step. Thread class:
+  /// As ClothSimulation::stored_energy(), of the cloth that is felt; costs as much as a step. Thread class:
   /// real-time.
   double stored_energy() const;
   std::int64_t ticks() const noexcept;  ///< Thread class: any.

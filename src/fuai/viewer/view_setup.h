@@ -56,6 +56,7 @@ struct ViewSetup {
   SceneOptions size;
   std::vector<ViewFabric> fabrics;  ///< 1 to kMostViewFabrics
   bool scene_moves = false;         ///< hands and pins of the scene do what the scene says
+  bool felt = false;                ///< a device gives the force: stepped by make_felt_options()
 };
 
 }  // namespace fuai

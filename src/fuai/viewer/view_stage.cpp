@@ -8,6 +8,7 @@
 #include "fuai/core/error.h"
 #include "fuai/core/hash.h"
 #include "fuai/scenes/catalogue.h"
+#include "fuai/sim/felt_options.h"
 #include "fuai/solver/cloth_energy.h"
 
 namespace fuai {
@@ -28,6 +29,7 @@ ViewCloths::ViewCloths(const ViewSetup& setup) : scene_moves_(setup.scene_moves)
   }
   for (const ViewFabric& fabric : setup.fabrics) {
     EngineScene scene = make_engine_scene(setup.scene, make_view_laws(fabric), setup.size);
+    if (setup.felt) scene.options.implicit = make_felt_options(scene.options.implicit);
     scene.options.most_grasps = static_cast<int>(kMostViewHands + kMostHands);
     scenes_.push_back(std::make_unique<const EngineScene>(std::move(scene)));
     runs_.push_back(std::make_unique<SceneRun>(*scenes_.back()));
@@ -130,7 +132,7 @@ void ViewStage::set_motion(bool moves) noexcept {
     for (int& hold : each_[c].holds.scene.holds) simulation(c).release(std::exchange(hold, -1));
 }
 
-std::optional<ViewCommand> ViewStage::command_of(const DevicePose& device) const noexcept {
+std::optional<ViewCommand> ViewStage::command_of(const DevicePose& device, std::size_t cloth) const noexcept {
   const ViewHand& hand = hands_.hands[kDeviceHand];
   ViewCommand command;
   command.hand = static_cast<std::uint8_t>(kDeviceHand);
@@ -143,7 +145,7 @@ std::optional<ViewCommand> ViewStage::command_of(const DevicePose& device) const
     return command;
   }
   if (!device.holds) return std::nullopt;
-  const std::optional<Vec2> near = simulation(0).free_cloth_near(device.position, device.reach);
+  const std::optional<Vec2> near = simulation(cloth).free_cloth_near(device.position, device.reach);
   if (!near) return std::nullopt;
   command.kind = ViewCommand::Kind::kGrab;
   command.material = *near;
@@ -151,8 +153,8 @@ std::optional<ViewCommand> ViewStage::command_of(const DevicePose& device) const
   return command;
 }
 
-GraspReading ViewStage::device_reading() const noexcept {
-  return simulation(0).grasp_reading(each_[0].holds.user[kDeviceHand]);
+GraspReading ViewStage::device_reading(std::size_t cloth) const noexcept {
+  return simulation(cloth).grasp_reading(each_[cloth].holds.user[kDeviceHand]);
 }
 
 bool ViewStage::is_driven() const noexcept {

@@ -61,12 +61,15 @@ class ViewStage {
   void apply(const ViewCommand& command) noexcept;
   /// Whether apply() would do something. Thread class: real-time.
   bool makes_sense(const ViewCommand& command) const noexcept;
-  /// What the hand of a device has to do to be where it is. Thread class: real-time.
-  std::optional<ViewCommand> command_of(const DevicePose& device) const noexcept;
-  /// What it feels of the first cloth. Thread class: real-time.
-  GraspReading device_reading() const noexcept;
-  /// As ClothSimulation::stored_energy(), of the first cloth. Thread class: real-time.
-  double stored_energy() const { return simulation(0).stored_energy(each_[0].scratch); }
+  /// What the hand of a device has to do to be where it is; it takes hold of that cloth where it is near.
+  /// Thread class: real-time.
+  std::optional<ViewCommand> command_of(const DevicePose& device, std::size_t cloth) const noexcept;
+  /// What it feels of a cloth. Thread class: real-time.
+  GraspReading device_reading(std::size_t cloth) const noexcept;
+  /// As ClothSimulation::stored_energy(). Thread class: real-time.
+  double stored_energy(std::size_t cloth) const {
+    return simulation(cloth).stored_energy(each_[cloth].scratch);
+  }
   /// Whether the next step moves something else that holds the cloth. Thread class: real-time.
   bool is_driven() const noexcept;
   /// One tick of kViewStep. Thread class: real-time.

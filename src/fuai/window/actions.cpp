@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "fuai/window/viewer_replay.h"
 #include "fuai/window/viewer_state.h"
 #include "fuai/window/viewer_work.h"
 
 namespace fuai {
 namespace {
 
+constexpr int kLongStep = 100;  // a tenth of a second [ticks]
 constexpr double kSpeeds[] = {0.1, 0.25, 0.5, 1.0, 2.0};
 
 void change_speed(ViewerState& state, int by) {
@@ -18,6 +20,7 @@ void change_speed(ViewerState& state, int by) {
 }
 
 void reset(ViewerState& state) {
+  if (state.replay) return restart_replay(state);
   ViewCommand command;
   command.kind = ViewCommand::Kind::kReset;
   state.session->send(command);
@@ -28,6 +31,16 @@ void reset(ViewerState& state) {
 void set_playing(ViewerState& state, bool plays) {
   state.playing = plays;
   state.session->play(plays);
+}
+
+void step(ViewerState& state, int ticks) {
+  if (state.playing) set_playing(state, false);  // which forgets steps that are still to be done
+  state.session->single_steps(ticks);
+}
+
+void step_back(ViewerState& state, int ticks) {
+  set_playing(state, false);
+  state.session->seek(state.snapshot().tick - ticks);
 }
 
 /// The bundled fabric after the last one that is shown.
@@ -45,6 +58,13 @@ void add_fabric(ViewerState& state) {
   add_view_fabric(state, names[next % names.size()]);
 }
 
+/// A device feels another cloth, if it is there.
+void feel(ViewerState& state, std::size_t cloth) {
+  if (cloth >= state.built.fabrics.size()) return;
+  state.felt = cloth;
+  state.say(state.built.fabrics[cloth].measured.name + ": " + state.text(TextId::kFelt));
+}
+
 }  // namespace
 
 void act(ViewerState& state, KeyAction action) {
@@ -57,12 +77,16 @@ void act(ViewerState& state, KeyAction action) {
       set_playing(state, !state.playing);
       break;
     case KeyAction::kStep:
-      set_playing(state, false);
-      state.session->single_steps(1);
+      step(state, 1);
+      break;
+    case KeyAction::kLongStep:
+      step(state, kLongStep);
       break;
     case KeyAction::kStepBack:
-      set_playing(state, false);
-      state.session->seek(state.snapshot().tick - 1);
+      step_back(state, 1);
+      break;
+    case KeyAction::kLongStepBack:
+      step_back(state, kLongStep);
       break;
     case KeyAction::kReset:
       reset(state);
@@ -93,6 +117,12 @@ void act(ViewerState& state, KeyAction action) {
       break;
     case KeyAction::kCompare:
       add_fabric(state);
+      break;
+    case KeyAction::kFeel1:
+    case KeyAction::kFeel2:
+    case KeyAction::kFeel3:
+    case KeyAction::kFeel4:
+      feel(state, static_cast<std::size_t>(action) - static_cast<std::size_t>(KeyAction::kFeel1));
       break;
     case KeyAction::kUnits:
       s.units = s.units == UnitSystem::kKes ? UnitSystem::kSi : UnitSystem::kKes;

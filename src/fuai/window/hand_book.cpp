@@ -54,8 +54,10 @@ void HandBook::follow(const ViewSnapshot& snapshot) {
     UserHand& h = hands_[i];
     bool holds = false;
     for (const ClothView& cloth : snapshot.cloths) holds = holds || cloth.hands[i].holds;
-    // The round that is under way may end in a snapshot without it; the next one has done the command.
-    if (h.active && !holds && (snapshot.tick > h.since + 1 || snapshot.tick < h.since)) {
+    if (holds) h.seen = true;
+    // The round that is under way may end in a snapshot without it; the next one has done the command. A
+    // snapshot from before is a way back in time only where one has shown the hand; else it is merely old.
+    if (h.active && !holds && (snapshot.tick > h.since + 1 || (h.seen && snapshot.tick < h.since))) {
       h.active = false;
       if (last_ == static_cast<int>(i)) last_ = -1;
     }

@@ -19,6 +19,7 @@ struct UserHand {
   Vec3 start = Vec3::Zero();     ///< where it gripped [m]
   Vec3 target = Vec3::Zero();    ///< where it is [m]
   std::int64_t since = 0;        ///< tick of the session when it gripped
+  bool seen = false;             ///< a snapshot has shown it
 };
 
 /// A fingertip, and a pin [m].

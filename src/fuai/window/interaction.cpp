@@ -84,11 +84,11 @@ void press_left(ViewerState& state, std::size_t tile, const Vec2& pixel, bool st
     if (hand < 0) return;
     state.drag = {Drag::Kind::kHand, hand, tile, stays};
     state.forces.clear();
-    state.hint = false;
+    state.steps.did(FirstStep::kGrab);
   }
 }
 
-void drag_hand(ViewerState& state, const Vec2& pixel, double wheel) {
+void drag_hand(ViewerState& state, const Vec2& pixel, bool moved, double wheel) {
   const UserHand& hand = state.hands.hand(static_cast<std::size_t>(state.drag.hand));
   if (!hand.active) {
     state.drag = {};
@@ -96,8 +96,7 @@ void drag_hand(ViewerState& state, const Vec2& pixel, double wheel) {
   }
   const Vec3 forward = state.camera.forward();
   Vec3 target = hand.target;
-  if (ImGui::GetIO().MouseDelta.x != 0.0F || ImGui::GetIO().MouseDelta.y != 0.0F)
-    target = meet_plane(ray_at(state, state.drag.tile, pixel), hand.target, forward);
+  if (moved) target = meet_plane(ray_at(state, state.drag.tile, pixel), hand.target, forward);
   if (wheel != 0.0) {
     const Vec3 eye = state.camera.camera().eye;
     target += wheel * kWheelStep * (target - eye);
@@ -124,7 +123,13 @@ void drag_camera(ViewerState& state) {
 
 void press(ViewerState& state, std::size_t tile, const Vec2& pixel) {
   const bool shift = ImGui::GetIO().KeyShift;
-  if (ImGui::IsMouseClicked(0)) press_left(state, tile, pixel, shift);
+  if (ImGui::IsMouseClicked(0)) {
+    // Between two slow pictures a quick hand goes far: what it pressed counts, then where it went.
+    const bool went =
+        state.left_presses > 0 && state.press_place != pixel && inside(state.tiles[tile], state.press_place);
+    press_left(state, tile, went ? state.press_place : pixel, shift);
+    if (went && state.drag.kind == Drag::Kind::kHand) drag_hand(state, pixel, true, 0.0);
+  }
   if (ImGui::IsMouseClicked(2) || (ImGui::IsMouseClicked(1) && shift))
     state.drag = {Drag::Kind::kPan, -1, tile, false};
   else if (ImGui::IsMouseClicked(1))
@@ -142,6 +147,10 @@ void handle_mouse(ViewerState& state) {
       state.hands.release(*state.session, state.drag.hand);
     state.drag = {};
   }
+  // The view was let go and the cloth gripped between two pictures.
+  if (state.drag.kind != Drag::Kind::kHand && ImGui::IsMouseClicked(0) && !io.MouseDown[1] &&
+      !io.MouseDown[2])
+    state.drag = {};
   if (state.drag.kind == Drag::Kind::kNone) {
     const int tile = tile_at(state, pixel);
     if (io.WantCaptureMouse || tile < 0) return;
@@ -157,7 +166,7 @@ void handle_mouse(ViewerState& state) {
     return;
   }
   if (state.drag.kind == Drag::Kind::kHand)
-    drag_hand(state, pixel, wheel);
+    drag_hand(state, pixel, io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F, wheel);
   else
     drag_camera(state);
   if (!io.MouseDown[0] && !io.MouseDown[1] && !io.MouseDown[2]) {

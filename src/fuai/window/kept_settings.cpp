@@ -41,6 +41,9 @@ constexpr Choice kChoices[] = {
     switch_of<&ViewSettings::ground>("floor"),
 };
 
+/// Key of the size of the letters.
+constexpr const char* kLetters = "scale_percent";
+
 bool value_of(const Choice& choice, const TomlNode& node, const std::string& name) {
   const bool words = choice.on != nullptr;
   if (!words && node.kind == TomlNode::Kind::kBoolean) return node.boolean;
@@ -74,6 +77,7 @@ std::string format_kept_settings(const KeptSettings& kept) {
     text += choice.on == nullptr ? (on ? "true" : "false") : toml_string(on ? choice.on : choice.off);
     text += "\n";
   }
+  text += std::string(kLetters) + " = " + std::to_string(kept.settings.letters) + "\n";
   if (!kept.folder.empty()) text += "folder = " + toml_string(kept.folder) + "\n";
   return text;
 }
@@ -84,6 +88,14 @@ KeptSettings parse_kept_settings(std::string_view text, const std::string& name)
   for (const Choice& choice : kChoices)
     if (const TomlNode* node = root.find(choice.key))
       choice.set(kept.settings, value_of(choice, *node, name));
+  if (const TomlNode* node = root.find(kLetters)) {
+    if (node->kind != TomlNode::Kind::kInteger || node->integer < kLeastLetters ||
+        node->integer > kMostLetters)
+      throw Error(ErrorKind::kBadInput, "this value is not known", {name, node->line, node->column, kLetters},
+                  "write a whole number of percent from " + std::to_string(kLeastLetters) + " to " +
+                      std::to_string(kMostLetters));
+    kept.settings.letters = static_cast<int>(node->integer);
+  }
   if (const TomlNode* node = root.find("folder")) {
     if (!node->is_text())
       throw Error(ErrorKind::kBadInput, "a text is expected", {name, node->line, node->column, "folder"},
@@ -110,6 +122,7 @@ ViewSettings settings_to_keep(const ViewSettings& before, const ViewSettings& st
   ViewSettings keep = before;
   for (const Choice& choice : kChoices)
     if (choice.get(end) != choice.get(start)) choice.set(keep, choice.get(end));
+  if (end.letters != start.letters) keep.letters = end.letters;
   return keep;
 }
 

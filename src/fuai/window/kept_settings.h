@@ -10,8 +10,8 @@
 
 namespace fuai {
 
-/// The choices that are kept: language, units, theme, what is shown; and where files were last opened. Of the
-/// settings nothing else is read or written.
+/// The choices that are kept: language, units, theme, size, what is shown; and where files were last opened.
+/// Of the settings nothing else is read or written.
 struct KeptSettings {
   ViewSettings settings;
   std::string folder;  ///< where files were last opened; empty: nowhere yet

@@ -21,6 +21,8 @@ constexpr KeyRow kRows[] = {
     {kPlay, GLFW_KEY_SPACE, false, false, "Space", TextId::kKeyPlay},
     {kStep, GLFW_KEY_RIGHT, false, false, "→", TextId::kKeyStep},
     {kStepBack, GLFW_KEY_LEFT, false, false, "←", TextId::kKeyStepBack},
+    {kLongStep, GLFW_KEY_RIGHT, false, true, "Shift+→", TextId::kKeyLongStep},
+    {kLongStepBack, GLFW_KEY_LEFT, false, true, "Shift+←", TextId::kKeyLongStepBack},
     {kReset, GLFW_KEY_R, false, false, "R", TextId::kKeyReset},
     {kReset, GLFW_KEY_BACKSPACE, false, false, "Backspace", TextId::kKeyReset},
     {kFaster, GLFW_KEY_EQUAL, false, false, "+", TextId::kKeyFaster},
@@ -36,6 +38,10 @@ constexpr KeyRow kRows[] = {
     {kYarns, GLFW_KEY_Y, false, false, "Y", TextId::kKeyYarns},
     {kGround, GLFW_KEY_G, false, false, "G", TextId::kKeyGround},
     {kCompare, GLFW_KEY_C, false, false, "C", TextId::kKeyCompare},
+    {kFeel1, GLFW_KEY_1, false, false, "1 … 4", TextId::kKeyFeel},
+    {kFeel2, GLFW_KEY_2, false, false, "1 … 4", TextId::kKeyFeel},
+    {kFeel3, GLFW_KEY_3, false, false, "1 … 4", TextId::kKeyFeel},
+    {kFeel4, GLFW_KEY_4, false, false, "1 … 4", TextId::kKeyFeel},
     {kUnits, GLFW_KEY_U, false, false, "U", TextId::kKeyUnits},
     {kLanguage, GLFW_KEY_L, false, false, "L", TextId::kKeyLanguage},
     {kTheme, GLFW_KEY_T, false, false, "T", TextId::kKeyTheme},
@@ -62,7 +68,8 @@ KeyAction action_of(const KeyPress& press) {
   for (const KeyRow& row : kRows) {
     if (row.key == 0 || row.key != press.key || row.control != press.control || row.shift != press.shift)
       continue;
-    const bool steps = row.action == kStep || row.action == kStepBack;
+    const bool steps = row.action == kStep || row.action == kStepBack || row.action == kLongStep ||
+                       row.action == kLongStepBack;
     return press.repeated && !steps ? kNone : row.action;
   }
   return kNone;

@@ -8,13 +8,24 @@
 #include "fuai/window/viewer_state.h"
 
 namespace fuai {
+namespace {
+
+/// Of the window [heights of a letter].
+constexpr float kLeastWidthForNumbers = 30.0F, kLeastWidthForPlots = 50.0F, kLeastHeightForPlots = 30.0F;
+
+}  // namespace
 
 ViewLayout lay_out(const ViewerState& state) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const float unit = ImGui::GetFontSize();
-  const float top = ImGui::GetFrameHeight(), bottom = (state.device.asked.empty() ? 4.6F : 6.0F) * unit;
-  const float left = state.settings.fabric_panel ? std::min(21.0F * unit, 0.3F * size.x) : 0.0F;
-  const float right = state.settings.plots ? std::min(23.0F * unit, 0.3F * size.x) : 0.0F;
+  const int lines = (state.device.asked.empty() ? 0 : 1) + (state.replay ? 1 : 0);  // beyond the usual
+  const float top = ImGui::GetFrameHeight(), bottom = (4.6F + 1.4F * static_cast<float>(lines)) * unit;
+  // In a small window the cloth comes first: a panel that could not be read is left out.
+  const bool numbers = state.settings.fabric_panel && size.x >= kLeastWidthForNumbers * unit;
+  const bool plots =
+      state.settings.plots && size.x >= kLeastWidthForPlots * unit && size.y >= kLeastHeightForPlots * unit;
+  const float left = numbers ? std::min(21.0F * unit, 0.3F * size.x) : 0.0F;
+  const float right = plots ? std::min(23.0F * unit, 0.3F * size.x) : 0.0F;
   const float height = std::max(size.y - top - bottom, 1.0F);
   ViewLayout layout;
   layout.fabric = {0.0F, top, left, height};
@@ -42,7 +53,9 @@ std::vector<ScreenTile> make_tiles(const ViewBox& box, std::size_t count) {
   for (int c = 1; c <= n; ++c) {
     const int rows = (n + c - 1) / c;
     const double aspect = (static_cast<double>(box.width) / c) / (static_cast<double>(box.height) / rows);
-    const double badness = std::abs(std::log(aspect)) + 0.3 * (rows * c - n);
+    // A further line in the bar below must not turn rows into columns: narrow tiles cut the cloth.
+    constexpr double kColumn = 0.15, kHole = 0.3;
+    const double badness = std::abs(std::log(aspect)) + kHole * (rows * c - n) + kColumn * (c - 1);
     if (badness < best) {
       best = badness;
       columns = c;

@@ -24,13 +24,12 @@ Colour force_colour(double share, bool dark) {
   return {0.85 * share, 0.30 * (1.0 - share), 0.70 - 0.60 * share, 1.0};
 }
 
+/// On a plate, readable over cloth of any colour.
 void write(ImDrawList& list, ImVec2 at, const std::string& text, bool dark, ImU32 colour) {
-  // A halo, readable over cloth of any colour.
-  const ImU32 halo = dark ? IM_COL32(0, 0, 0, 200) : IM_COL32(255, 255, 255, 220);
-  for (int dy = -1; dy <= 1; ++dy)
-    for (int dx = -1; dx <= 1; ++dx)
-      if (dx != 0 || dy != 0)
-        list.AddText({at.x + static_cast<float>(dx), at.y + static_cast<float>(dy)}, halo, text.c_str());
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const float rim = 0.2F * ImGui::GetFontSize();
+  list.AddRectFilled({at.x - rim, at.y}, {at.x + size.x + rim, at.y + size.y},
+                     dark ? IM_COL32(20, 22, 25, 215) : IM_COL32(250, 250, 248, 225), rim);
   list.AddText(at, colour, text.c_str());
 }
 
@@ -50,12 +49,14 @@ struct HandMark {
   bool pinned = false, user = true;
 };
 
-void draw_hand(const ViewerState& state, ImDrawList& list, const ScreenTile& tile, const HandMark& mark) {
+/// @return the force as it is written beside the hand; empty: it is not
+std::string draw_hand(const ViewerState& state, ImDrawList& list, const ScreenTile& tile,
+                      const HandMark& mark) {
   const float scale = state.settings.scale;
   const double force = mark.reading.force.norm(), share = force_share(force);
   const ImU32 colour = to_ui_colour(force_colour(share, state.settings.dark));
   const Vec3 patch = to_screen(state, tile, mark.reading.centre);
-  if (patch.z() <= 0.0) return;
+  if (patch.z() <= 0.0) return {};
   const float radius = (mark.pinned ? 4.0F : 6.0F) * scale;
   if (mark.user) {
     const Vec3 hand = to_screen(state, tile, mark.target);
@@ -78,25 +79,37 @@ void draw_hand(const ViewerState& state, ImDrawList& list, const ScreenTile& til
     list.AddLine(flat(patch), label, colour, 3.0F * scale);
     draw_head(list, flat(patch), label, 10.0F * scale, colour);
   }
-  if (mark.pinned && force < 1e-3) return;
+  if (mark.pinned && force < 1e-3) return {};
   const std::string text = force_text(force);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  // Inside the tile, at its upper left edge where it is too small.
+  // Beside the tip, on the side the arrow points to; inside the tile, at its upper left edge where it is too
+  // small.
+  if (label.x < flat(patch).x) label.x -= size.x + 20.0F * scale;
   const float right = static_cast<float>(tile.left + tile.width) - size.x - 4.0F;
   const float low = static_cast<float>(tile.top + tile.height) - size.y - 4.0F;
   const float x = std::max(std::min(label.x + 10.0F * scale, right), static_cast<float>(tile.left) + 4.0F);
   const float y = std::max(std::min(label.y - 8.0F * scale, low), static_cast<float>(tile.top) + 4.0F);
   write(list, {x, y}, text, state.settings.dark, colour);
+  return text;
 }
 
-void draw_hands(const ViewerState& state, ImDrawList& list, std::size_t cloth) {
+void draw_hands(ViewerState& state, ImDrawList& list, std::size_t cloth) {
   const ClothView& view = state.snapshot().cloths[cloth];
-  for (std::size_t i = 0; i < kMostViewHands; ++i)
-    if (view.hands[i].holds)
-      draw_hand(state, list, state.tiles[cloth],
-                {view.hands[i], view.targets[i], state.hands.hand(i).pinned, true});
-  for (const GraspReading& reading : view.scene_hands)
-    if (reading.holds) draw_hand(state, list, state.tiles[cloth], {reading, reading.centre, false, false});
+  const auto draw = [&](const std::string& hand, const HandMark& mark) {
+    const std::string text = draw_hand(state, list, state.tiles[cloth], mark);
+    if (!text.empty()) state.shown_forces.push_back({cloth, hand, text});
+  };
+  for (std::size_t i = 0; i < kMostViewHands; ++i) {
+    if (!view.hands[i].holds) continue;
+    // What is dragged stays under the cursor; the cloth has heard of the last move only after this picture.
+    const bool dragged = state.drag.kind == Drag::Kind::kHand && state.drag.hand == static_cast<int>(i);
+    draw(std::to_string(i), {view.hands[i], dragged ? state.hands.hand(i).target : view.targets[i],
+                             state.hands.hand(i).pinned, true});
+  }
+  for (std::size_t i = 0; i < kMostHands; ++i) {
+    const GraspReading& reading = view.scene_hands[i];
+    if (reading.holds) draw("scene " + std::to_string(i), {reading, reading.centre, false, false});
+  }
 }
 
 /// Where the hand of the device is, whether it holds or not.
@@ -119,6 +132,9 @@ void draw_name(const ViewerState& state, ImDrawList& list, std::size_t cloth) {
   const float unit = ImGui::GetFontSize();
   std::string text = fabric.measured.name;
   if (fabric.changed()) text += std::string(" (") + state.text(TextId::kChanged) + ")";
+  if (state.tiles.size() > 1) text = std::to_string(cloth + 1) + "  " + text;
+  if (state.tiles.size() > 1 && cloth == state.felt && (!state.device.model.empty() || state.rumbles))
+    text += std::string("   ● ") + state.text(TextId::kFeltNow);
   const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
   const ImVec2 at{static_cast<float>(tile.left) + 0.7F * unit, static_cast<float>(tile.top) + 0.5F * unit};
   write(list, at, text, state.settings.dark, ink);
@@ -177,7 +193,13 @@ void draw_notes(const ViewerState& state, ImDrawList& list) {
     return size.y + 0.9F * em;
   };
   float y = view.top + view.height - 2.2F * em;
-  if (state.hint) y -= centred(state.text(TextId::kHint), y, ImGui::GetColorU32(ImGuiCol_Text));
+  std::string hint;
+  for (const TextId line : state.steps.lines())
+    hint += (hint.empty() ? "" : "\n") + std::string(state.text(line));
+  if (!hint.empty()) {
+    const ImVec2 size = ImGui::CalcTextSize(hint.c_str(), nullptr, false, view.width - 2.0F * em);
+    y -= centred(hint.c_str(), y - size.y + em, ImGui::GetColorU32(ImGuiCol_Text));
+  }
   for (auto m = state.messages.rbegin(); m != state.messages.rend(); ++m) {
     const ImVec2 size = ImGui::CalcTextSize(m->text.c_str(), nullptr, false, view.width - 2.0F * em);
     const ImU32 colour = m->bad ? IM_COL32(235, 80, 50, 255) : ImGui::GetColorU32(ImGuiCol_Text);
@@ -199,6 +221,7 @@ std::string force_text(double newtons) {
 void draw_overlay_2d(ViewerState& state) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const ViewSnapshot& snapshot = state.snapshot();
+  state.shown_forces.clear();
   for (std::size_t i = 0; i < std::min(state.tiles.size(), snapshot.cloths.size()); ++i) {
     const ScreenTile& tile = state.tiles[i];
     list.PushClipRect(

@@ -8,6 +8,7 @@
 
 #include "fuai/fabric/weave.h"
 #include "fuai/units/constants.h"
+#include "fuai/window/ui_style.h"
 #include "fuai/window/viewer_state.h"
 #include "fuai/window/viewer_work.h"
 
@@ -27,20 +28,15 @@ TextId provenance_text(ProvenanceKind kind) {
 }
 
 ImVec4 provenance_colour(ProvenanceKind kind, bool dark) {
-  if (kind == ProvenanceKind::kAssumed || kind == ProvenanceKind::kStatistic)
-    return dark ? ImVec4(0.95F, 0.70F, 0.35F, 1.0F) : ImVec4(0.70F, 0.35F, 0.0F, 1.0F);
+  if (kind == ProvenanceKind::kAssumed || kind == ProvenanceKind::kStatistic) return assumed_colour(dark);
   return dark ? ImVec4(0.55F, 0.85F, 0.65F, 1.0F) : ImVec4(0.0F, 0.45F, 0.20F, 1.0F);
 }
 
-void choose_fabric(ViewerState& state, std::size_t place) {
-  const ViewFabric& fabric = state.document.setup().fabrics[place];
-  ImGui::SetNextItemWidth(-1.0F);
-  if (!ImGui::BeginCombo("##fabric", fabric.measured.name.c_str())) return;
-  std::string chosen;
-  for (const std::string& name : state.fabric_names)
-    if (ImGui::Selectable(name.c_str(), name == fabric.source)) chosen = name;
-  ImGui::EndCombo();
-  if (!chosen.empty() && chosen != fabric.source) set_view_fabric(state, place, chosen);
+/// Whether a device feels this one; only where there is something to choose.
+void felt_choice(ViewerState& state, std::size_t place) {
+  if (state.built.fabrics.size() < 2 || (state.device.model.empty() && !state.rumbles)) return;
+  if (ImGui::RadioButton(state.text(TextId::kFelt), state.felt == place))
+    act(state, static_cast<KeyAction>(static_cast<std::size_t>(KeyAction::kFeel1) + place));
 }
 
 void number_tooltip(const ViewerState& state, const FabricNumber& number) {
@@ -144,7 +140,8 @@ void weave_line(const ViewerState& state, const Fabric& fabric) {
 }
 
 void fabric_page(ViewerState& state, std::size_t place) {
-  choose_fabric(state, place);
+  draw_fabric_choice(state, place);
+  felt_choice(state, place);
   const Fabric& measured = state.document.setup().fabrics[place].measured;
   ImGui::PushTextWrapPos(0.0F);
   ImGui::TextDisabled("%s", measured.composition.c_str());
@@ -173,7 +170,7 @@ std::string number_name(const ViewerState& state, const FabricNumber& number) {
 }
 
 void draw_fabric_panel(ViewerState& state) {
-  if (!state.settings.fabric_panel) return;
+  if (lay_out(state).fabric.width <= 0.0F) return;
   if (begin_panel("fabric", lay_out(state).fabric, false)) {
     const std::size_t count = state.document.setup().fabrics.size();
     if (ImGui::BeginTabBar("fabrics")) {
@@ -181,7 +178,11 @@ void draw_fabric_panel(ViewerState& state) {
         const std::string label = std::string(state.text(TextId::kFabric)) + " " + std::to_string(i + 1) +
                                   "###fabric" + std::to_string(i);
         bool open = true;
-        if (ImGui::BeginTabItem(label.c_str(), count > 1 ? &open : nullptr)) {
+        const bool turn = state.turn_to == i;
+        if (ImGui::BeginTabItem(label.c_str(), count > 1 ? &open : nullptr,
+                                turn ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None)) {
+          state.page = i;
+          if (turn) state.turn_to.reset();
           if (i < state.document.setup().fabrics.size()) fabric_page(state, i);
           ImGui::EndTabItem();
         }

@@ -35,11 +35,19 @@ Listing list_folder(const std::filesystem::path& folder) {
     std::error_code ignored;
     if (entry.is_directory(ignored)) listing.folders.push_back(name);
     const std::string kind = entry.path().extension().string();
-    if (kind == ".toml" || kind == ".csv" || kind == ".txt" || kind == ".json") listing.files.push_back(name);
+    if (kind == ".toml" || kind == ".csv" || kind == ".txt" || kind == ".json" || kind == kViewLogEnding)
+      listing.files.push_back(name);
   }
   std::sort(listing.folders.begin(), listing.folders.end());
   std::sort(listing.files.begin(), listing.files.end());
   return listing;
+}
+
+void key_row(const ViewerState& state, const KeyRow& row) {
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(row.label);
+  ImGui::TableNextColumn();
+  ImGui::TextWrapped("%s", state.text(row.what));
 }
 
 }  // namespace
@@ -47,22 +55,26 @@ Listing list_folder(const std::filesystem::path& folder) {
 void draw_help(ViewerState& state) {
   if (!state.settings.help) return;
   const float em = ImGui::GetFontSize();
-  centre_window(46.0F * em, 44.0F * em);
+  centre_window(66.0F * em, 28.0F * em);
   const std::string title = std::string(state.text(TextId::kKeyHelp)) + "###help";
   if (ImGui::Begin(title.c_str(), &state.settings.help,
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse)) {
-    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_RowBg)) {
-      ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 8.5F * em);
-      ImGui::TableSetupColumn("what");
-      const char* last = "";
-      for (const KeyRow& row : key_table()) {
-        if (row.key != 0 && std::string_view(row.label) == last) continue;  // the key pad's twin
-        last = row.label;
+    // Each key once, in two halves side by side, so that all of them are seen at 1280 x 720.
+    std::vector<const KeyRow*> rows;
+    for (const KeyRow& row : key_table())
+      if (rows.empty() || row.key == 0 || std::string_view(row.label) != rows.back()->label)
+        rows.push_back(&row);
+    const std::size_t half = (rows.size() + 1) / 2;
+    if (ImGui::BeginTable("keys", 4, ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV)) {
+      for (const char* name : {"left", "right"}) {
+        ImGui::TableSetupColumn((std::string("key ") + name).c_str(), ImGuiTableColumnFlags_WidthFixed,
+                                6.5F * em);
+        ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthStretch);
+      }
+      for (std::size_t i = 0; i < half; ++i) {
         ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        ImGui::TextUnformatted(row.label);
-        ImGui::TableNextColumn();
-        ImGui::TextWrapped("%s", state.text(row.what));
+        key_row(state, *rows[i]);
+        if (half + i < rows.size()) key_row(state, *rows[half + i]);
       }
       ImGui::EndTable();
     }

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "fuai/scenes/catalogue.h"
+#include "fuai/window/scene_text.h"
 #include "fuai/window/viewer_state.h"
 #include "fuai/window/viewer_work.h"
 
@@ -59,6 +60,16 @@ void view_menu(ViewerState& state) {
   entry(state, KeyAction::kUnits, TextId::kKeyUnits);
   entry(state, KeyAction::kLanguage, TextId::kKeyLanguage);
   entry(state, KeyAction::kTheme, TextId::kKeyTheme);
+  if (ImGui::BeginMenu(state.text(TextId::kLetterSize))) {
+    for (const int letters : {75, 100, 125, 150, 200, 300}) {
+      char text[16];
+      std::snprintf(text, sizeof text, "%d %%", letters);
+      if (!ImGui::MenuItem(text, nullptr, s.letters == letters)) continue;
+      s.letters = letters;
+      state.wishes.new_scale = true;
+    }
+    ImGui::EndMenu();
+  }
   entry(state, KeyAction::kFrame, TextId::kKeyFrame);
   entry(state, KeyAction::kFullScreen, TextId::kKeyFullScreen);
   ImGui::EndMenu();
@@ -67,14 +78,17 @@ void view_menu(ViewerState& state) {
 void scene_choice(ViewerState& state) {
   ImGui::SetNextItemWidth(10.0F * ImGui::GetFontSize());
   const std::string& now = state.document.setup().scene;
-  if (!ImGui::BeginCombo("##scene", now.c_str())) return;
+  const char* known = scene_text(now, state.settings.language);
+  if (!ImGui::BeginCombo("##scene", known != nullptr ? known : now.c_str())) return;
   std::string chosen;
   for (const SceneEntry& scene : scene_entries()) {
     if (scene.kind != SceneKind::kEngine) continue;
     const std::string name(scene.name);
-    if (ImGui::Selectable(name.c_str(), name == now)) chosen = name;
+    const char* text = scene_text(name, state.settings.language);
+    if (ImGui::Selectable(text != nullptr ? text : name.c_str(), name == now)) chosen = name;
     if (ImGui::IsItemHovered())
-      ImGui::SetTooltip("%.*s", static_cast<int>(scene.description.size()), scene.description.data());
+      ImGui::SetTooltip("%s: %.*s", name.c_str(), static_cast<int>(scene.description.size()),
+                        scene.description.data());
   }
   ImGui::EndCombo();
   if (!chosen.empty() && chosen != now) set_view_scene(state, chosen);

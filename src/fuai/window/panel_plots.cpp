@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "fuai/experiments/fabric_plot.h"
 #include "fuai/fabric/scalar_laws.h"
 #include "fuai/units/constants.h"
 #include "fuai/window/plot_widget.h"
+#include "fuai/window/ui_style.h"
 #include "fuai/window/viewer_state.h"
 
 namespace fuai {
@@ -43,6 +45,12 @@ Plot force_plot(const ViewerState& state, bool against_way) {
     }
     for (const double y : series.y) most = std::max(most, y);
     plot.series.push_back(std::move(series));
+  }
+  if (against_way) {
+    double far = 1.0;  // [mm]
+    for (const Series& series : plot.series)
+      for (const double x : series.x) far = std::max(far, x);
+    plot.x_range = Range{0.0, 1.05 * far};
   }
   // Not down to what rounding makes of nothing.
   constexpr double kLeastForce = 1e-3;  // [N]
@@ -87,6 +95,27 @@ SteadyLoop instrument_loop(const PlayLaw& law, PlottedLoop kind) {
   return loop;
 }
 
+/// About the numbers, from zero where it is near, never of no width; none: nothing is known.
+std::optional<Range> range_about(const std::vector<double>& numbers) {
+  if (numbers.empty()) return std::nullopt;
+  const auto [low, high] = std::ranges::minmax(numbers);
+  const double margin = std::max(0.1 * (high - low), 1e-3 * std::max(std::abs(low), std::abs(high)));
+  if (!(margin > 0.0)) return std::nullopt;
+  return Range{low - margin, high + margin};
+}
+
+/// The axes reach as far as what the cloth did.
+void come_near(Plot& plot) {
+  std::vector<double> x, y;
+  for (const Series& series : plot.series) {
+    if (series.style != SeriesStyle::kLine) continue;
+    x.insert(x.end(), series.x.begin(), series.x.end());
+    y.insert(y.end(), series.y.begin(), series.y.end());
+  }
+  plot.x_range = range_about(x);
+  plot.y_range = range_about(y);
+}
+
 Plot loop_plot(const ViewerState& state, std::size_t cloth, PlottedLoop kind) {
   const LoopAxes axes = loop_axes(kind, state.settings.units);
   constexpr TextId kTitles[] = {TextId::kBending, TextId::kShear, TextId::kTension};
@@ -125,20 +154,21 @@ Plot loop_plot(const ViewerState& state, std::size_t cloth, PlottedLoop kind) {
     plot.series.push_back(std::move(law));
     plot.series.push_back(std::move(live));
   }
+  if (state.loops_near) come_near(plot);
   return plot;
 }
 
 }  // namespace
 
 void draw_plots_panel(ViewerState& state) {
-  if (!state.settings.plots) return;
+  if (lay_out(state).plots.width <= 0.0F) return;
   if (begin_panel("plots", lay_out(state).plots, true)) {
     if (state.comparison) draw_comparison(state);
     if (state.hands.last() < 0 && state.forces.empty())
       ImGui::TextWrapped("%s", state.text(TextId::kGrabFirst));
     const float width = ImGui::GetContentRegionAvail().x;
-    const float height =
-        std::max(ImGui::GetContentRegionAvail().y / 5.0F - 4.0F, 7.4F * ImGui::GetFontSize());
+    const float height = std::max(ImGui::GetContentRegionAvail().y / 5.0F - ImGui::GetStyle().ItemSpacing.y,
+                                  7.4F * ImGui::GetFontSize());
     const PlotWidget widget{width, height, state.settings.dark};
     ImGui::PushID("time");
     draw_plot(force_plot(state, false), widget);
@@ -151,7 +181,9 @@ void draw_plots_panel(ViewerState& state) {
     if (cloth < state.laws.size()) {
       for (const PlottedLoop kind : {PlottedLoop::kBending, PlottedLoop::kShear, PlottedLoop::kTension}) {
         ImGui::PushID(static_cast<int>(kind));
-        draw_plot(loop_plot(state, cloth, kind), widget);
+        PlotWidget loop = widget;
+        loop.hint = state.text(TextId::kLoopHint);
+        if (draw_plot(loop_plot(state, cloth, kind), loop)) state.loops_near = !state.loops_near;
         ImGui::PopID();
       }
     }
@@ -164,13 +196,20 @@ void draw_comparison(ViewerState& state) {
   ImGui::TextUnformatted(state.text(TextId::kDifferences));
   ImGui::SameLine();
   ImGui::TextDisabled("%s", state.text(TextId::kAgainstFirst));
+  ImGui::SameLine();
+  ImGui::TextColored(assumed_colour(state.settings.dark), "%s, %s", state.text(TextId::kAssumed),
+                     state.text(TextId::kStatistic));
   const auto columns = static_cast<int>(comparison.fabrics.size()) + 1;
   const ImGuiTableFlags flags =
       ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerV;
   if (!ImGui::BeginTable("differences", columns, flags, {0.0F, 14.0F * ImGui::GetFontSize()})) return;
   ImGui::TableSetupScrollFreeze(0, 1);
-  ImGui::TableSetupColumn(state.text(TextId::kQuantity));
-  for (int i = 1; i < columns; ++i) ImGui::TableSetupColumn(std::to_string(i).c_str());
+  ImGui::TableSetupColumn(state.text(TextId::kQuantity), ImGuiTableColumnFlags_WidthStretch, 1.4F);
+  for (int i = 1; i < columns; ++i) {
+    const std::string name =
+        std::to_string(i) + " " + comparison.fabrics[static_cast<std::size_t>(i - 1)].name;
+    ImGui::TableSetupColumn(name.c_str());
+  }
   ImGui::TableHeadersRow();
   const bool kes = state.settings.units == UnitSystem::kKes;
   for (const ComparedNumber& number : comparison.numbers) {
@@ -178,10 +217,10 @@ void draw_comparison(ViewerState& state) {
     ImGui::TableNextColumn();
     const KesQuantity& q = number.first().definition();
     ImGui::TextUnformatted(number_name(state, number.first()).c_str());
-    if (ImGui::IsItemHovered()) {
-      const std::string_view unit = kes ? q.kes_unit : q.si_unit;
-      ImGui::SetTooltip("%.*s", static_cast<int>(unit.size()), unit.data());
-    }
+    const std::string_view name = state.settings.language == Language::kJapanese ? q.name_ja : q.name_en;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%.*s", static_cast<int>(name.size()), name.data());
+    const std::string_view unit = kes ? q.kes_unit : q.si_unit;
+    ImGui::TextDisabled("%.*s", static_cast<int>(unit.size()), unit.data());
     for (std::size_t i = 0; i < number.each.size(); ++i) {
       ImGui::TableNextColumn();
       const FabricNumber& each = number.each[i];
@@ -189,12 +228,15 @@ void draw_comparison(ViewerState& state) {
         ImGui::TextDisabled("-");
         continue;
       }
-      ImGui::Text("%.3g", kes ? each.in_kes_units() : each.known.value);
-      if (i == 0) continue;
-      if (std::isfinite(number.change[i])) {
-        ImGui::SameLine(0.0F, 4.0F);
-        ImGui::TextDisabled("%+.0f %%", 100.0 * number.change[i]);
+      const double value = kes ? each.in_kes_units() : each.known.value;
+      if (is_evidence(each.known.provenance)) {
+        ImGui::Text("%.3g", value);
+      } else {
+        ImGui::TextColored(assumed_colour(state.settings.dark), "%.3g", value);
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", each.known.provenance.source.c_str());
       }
+      if (i == 0) continue;
+      if (std::isfinite(number.change[i])) ImGui::TextDisabled("%+.0f %%", 100.0 * number.change[i]);
       if (std::isfinite(number.jnd[i]) && ImGui::IsItemHovered())
         ImGui::SetTooltip("%+.1f %s", number.jnd[i], state.text(TextId::kJndUnit));
     }

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string>
 
+#include "fuai/window/ui_style.h"
+#include "fuai/window/viewer_replay.h"
 #include "fuai/window/viewer_state.h"
 
 namespace fuai {
@@ -53,23 +56,33 @@ void past(ViewerState& state) {
   }
 }
 
+/// Of the cloth whose page is shown, each with its name.
+void energies(const ViewerState& state) {
+  const std::vector<ClothView>& cloths = state.snapshot().cloths;
+  if (cloths.empty()) return;
+  const std::size_t shown = std::min(state.page, cloths.size() - 1);
+  const ClothView& cloth = cloths[shown];
+  const std::string which = cloths.size() > 1 ? " " + std::to_string(shown + 1) : "";
+  ImGui::Text(" %s%s: %s %.3f mJ, %s %.3f mJ, %s %.3f mJ", state.text(TextId::kStatusEnergy), which.c_str(),
+              state.text(TextId::kEnergyDeformation), 1e3 * cloth.energy.internal(),
+              state.text(TextId::kEnergyWeight), 1e3 * cloth.energy.weight, state.text(TextId::kEnergyMotion),
+              1e3 * cloth.kinetic_energy);
+}
+
 void status(ViewerState& state) {
   const ViewSnapshot& s = state.snapshot();
-  double internal = 0.0, weight = 0.0, kinetic = 0.0;
-  if (!s.cloths.empty()) {
-    internal = s.cloths[0].energy.internal();
-    weight = s.cloths[0].energy.weight;
-    kinetic = s.cloths[0].kinetic_energy;
-  }
-  ImGui::Text("%.3f s   %s %.3f + %.3f + %.3f mJ   %s", s.time, state.text(TextId::kStatusEnergy),
-              1e3 * internal, 1e3 * weight, 1e3 * kinetic,
-              state.device.asked.empty() ? state.text(TextId::kStatusDevice) : "");
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.text(TextId::kEnergyParts));
+  ImGui::Text("%.3f s", s.time);
+  ImGui::SameLine();
+  energies(state);
   if (state.real_time_factor) {  // else nothing is paced, and times would say nothing
     ImGui::SameLine();
     ImGui::Text("  %s %.0f µs   %s ×%.2f   %s %.0f ms", state.text(TextId::kStatusStep), s.step_us,
                 state.text(TextId::kStatusRealTime), state.playing ? *state.real_time_factor : 0.0,
                 state.text(TextId::kStatusFrames), state.picture_ms);
+  }
+  if (state.device.asked.empty()) {
+    ImGui::SameLine();
+    ImGui::Text("  %s", state.text(TextId::kStatusDevice));
   }
   if (state.recording || state.filming || state.logging) {
     ImGui::SameLine();
@@ -78,7 +91,7 @@ void status(ViewerState& state) {
   if (state.playing && state.clock > 2.0 && state.real_time_factor &&
       *state.real_time_factor < kTooSlow * state.settings.speed) {
     ImGui::SameLine();
-    ImGui::TextColored({0.95F, 0.6F, 0.2F, 1.0F}, "%s", state.text(TextId::kTooSlow));
+    ImGui::TextColored(assumed_colour(state.settings.dark), "%s", state.text(TextId::kTooSlow));
   }
 }
 
@@ -100,11 +113,22 @@ void device_status(const ViewerState& state) {
     return;
   }
   const std::vector<ClothView>& cloths = state.snapshot().cloths;
-  const double cloth = cloths.empty() ? 0.0 : cloths[0].hands[kDeviceHand].force.norm();
+  const std::size_t felt = std::min(state.felt, cloths.size() - 1);
+  const double cloth = cloths.empty() ? 0.0 : cloths[felt].hands[kDeviceHand].force.norm();
+  const std::string which = cloths.size() > 1 ? " " + std::to_string(felt + 1) + ":" : "";
   const std::string sent =
       device.gives_force ? force_text(device.view.force) : state.text(TextId::kDeviceNoForce);
-  ImGui::Text("  %s %s   %s %s", state.text(TextId::kDeviceCloth), force_text(cloth).c_str(),
+  ImGui::Text("  %s%s %s   %s %s", state.text(TextId::kDeviceCloth), which.c_str(), force_text(cloth).c_str(),
               state.text(TextId::kDeviceSent), sent.c_str());
+}
+
+void replay_status(const ViewerState& state) {
+  if (!state.replay) return;
+  const bool differs = state.replay->first_difference >= 0;
+  ImGui::PushStyleColor(ImGuiCol_Text,
+                        differs ? ImVec4{0.95F, 0.3F, 0.25F, 1.0F} : ImGui::GetStyleColorVec4(ImGuiCol_Text));
+  ImGui::TextUnformatted(replay_text(state).c_str());
+  ImGui::PopStyleColor();
 }
 
 }  // namespace
@@ -115,6 +139,7 @@ void draw_time_panel(ViewerState& state) {
     past(state);
     status(state);
     device_status(state);
+    replay_status(state);
   }
   ImGui::End();
 }

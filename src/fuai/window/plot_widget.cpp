@@ -68,48 +68,49 @@ void draw_series(ImDrawList& list, const Frame& f, const Series& series, int pla
   const ImU32 colour = to_ui_colour(series_colour(series.colour < 0 ? place : series.colour));
   const bool points = series.style == SeriesStyle::kPoints || series.style == SeriesStyle::kLineAndPoints;
   const bool lines = series.style != SeriesStyle::kPoints;
-  const float width = series.style == SeriesStyle::kDashed ? 1.0F : static_cast<float>(series.line_width);
+  const bool dashed = series.style == SeriesStyle::kDashed;  // every other piece of it
+  const float scale = ImGui::GetFontSize() / 15.0F;
+  const float width = scale * (dashed ? 1.3F : static_cast<float>(series.line_width));
   for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
     if (!std::isfinite(series.x[i]) || !std::isfinite(series.y[i])) continue;
     const ImVec2 here = f.at(series.x[i], series.y[i]);
-    if (points) list.AddCircleFilled(here, 2.0F, colour, 6);
+    if (points) list.AddCircleFilled(here, 3.0F * scale, colour, 8);
+    if (dashed && i % 2 == 0) continue;
     if (lines && i > 0 && std::isfinite(series.x[i - 1]) && std::isfinite(series.y[i - 1]))
       list.AddLine(f.at(series.x[i - 1], series.y[i - 1]), here, colour, width);
   }
 }
 
+/// In the row of the name of the x axis, where no curve runs.
 void draw_legend(ImDrawList& list, const Frame& f, const Plot& plot, ImU32 ink) {
   const float line = ImGui::GetTextLineHeight();
-  float y = f.low.y + 2.0F;
+  const float y = f.high.y + 2.0F + line;
+  float x = f.low.x;
   int place = 0;
   for (const Series& series : plot.series) {
     const int colour = series.colour < 0 ? place : series.colour;
     ++place;
     if (series.label.empty()) continue;
-    const float x = f.high.x - ImGui::CalcTextSize(series.label.c_str()).x - 6.0F;
     const ImU32 tint = to_ui_colour(series_colour(colour));
-    if (series.style == SeriesStyle::kPoints)
-      list.AddCircleFilled({x - 10.0F, y + 0.5F * line}, 2.5F, tint, 8);
-    else
-      list.AddLine({x - 18.0F, y + 0.5F * line}, {x - 4.0F, y + 0.5F * line}, tint, 2.0F);
-    list.AddText({x, y}, ink, series.label.c_str());
-    y += line;
+    list.AddLine({x, y + 0.55F * line}, {x + 0.9F * line, y + 0.55F * line}, tint, 0.15F * line);
+    list.AddText({x + 1.1F * line, y}, ink, series.label.c_str());
+    x += 1.6F * line + ImGui::CalcTextSize(series.label.c_str()).x;
   }
 }
 
 }  // namespace
 
-void draw_plot(const Plot& plot, const PlotWidget& widget) {
+bool draw_plot(const Plot& plot, const PlotWidget& widget) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float line = ImGui::GetTextLineHeight();
   ImGui::PushID(&plot);
   ImGui::InvisibleButton("plot", {widget.width, widget.height});
-  const bool hovered = ImGui::IsItemHovered();
+  const bool hovered = ImGui::IsItemHovered(), clicked = ImGui::IsItemClicked();
   ImGui::PopID();
   Frame f;
   f.low = {origin.x + 4.2F * line, origin.y + 1.3F * line};
   f.high = {origin.x + widget.width - 0.6F * line, origin.y + widget.height - 2.4F * line};
-  if (f.high.x - f.low.x < 20.0F || f.high.y - f.low.y < 20.0F) return;
+  if (f.high.x - f.low.x < 20.0F || f.high.y - f.low.y < 20.0F) return clicked;
   const Range x = plot.x_range.value_or(range_of(plot, false)),
               y = plot.y_range.value_or(range_of(plot, true));
   const auto ticks = [&](float pixels, float each) { return std::max(2, static_cast<int>(pixels / each)); };
@@ -133,8 +134,10 @@ void draw_plot(const Plot& plot, const PlotWidget& widget) {
   if (hovered && mouse.x >= f.low.x && mouse.x <= f.high.x && mouse.y >= f.low.y && mouse.y <= f.high.y) {
     const double px = f.x.low + (f.x.high - f.x.low) * (mouse.x - f.low.x) / (f.high.x - f.low.x);
     const double py = f.y.low + (f.y.high - f.y.low) * (f.high.y - mouse.y) / (f.high.y - f.low.y);
-    ImGui::SetTooltip("%.4g, %.4g", px, py);
+    ImGui::SetTooltip("%.4g, %.4g%s%s", px, py, widget.hint != nullptr ? "\n" : "",
+                      widget.hint != nullptr ? widget.hint : "");
   }
+  return clicked;
 }
 
 }  // namespace fuai

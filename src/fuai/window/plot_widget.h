@@ -10,10 +10,12 @@ namespace fuai {
 struct PlotWidget {
   float width = 300.0F, height = 180.0F;  ///< [pixel]
   bool dark = true;
+  const char* hint = nullptr;  ///< a line below the values under the mouse
 };
 
-/// At the cursor of the current ImGui window. Lines, dashes (drawn thinner), points and the legend; log axes,
-/// bands and annotations are left to files. Shows the values under the mouse. Thread class: the window's.
-void draw_plot(const Plot& plot, const PlotWidget& widget);
+/// At the cursor of the current ImGui window. Lines, dashes, points and the legend; log axes,
+/// bands and annotations are left to files. Shows the values under the mouse. @return whether it
+/// was clicked. Thread class: the window's.
+bool draw_plot(const Plot& plot, const PlotWidget& widget);
 
 }  // namespace fuai

@@ -50,6 +50,8 @@ std::string load_fonts(float size, const std::string& more) {
   atlas.Clear();
   ImFontGlyphRangesBuilder builder;
   builder.AddRanges(atlas.GetGlyphRangesDefault());
+  // Names of files and fabrics may be Japanese, too.
+  builder.AddRanges(atlas.GetGlyphRangesJapanese());
   builder.AddText(kSymbols);
   builder.AddText(more.c_str());
   for (const UiText& text : ui_texts()) {
@@ -87,6 +89,10 @@ Colour ground_colour(bool dark) {
   return dark ? Colour{0.25, 0.26, 0.28, 1.0} : Colour{0.88, 0.88, 0.87, 1.0};
 }
 
+ImVec4 assumed_colour(bool dark) {
+  return dark ? ImVec4(0.95F, 0.70F, 0.35F, 1.0F) : ImVec4(0.70F, 0.35F, 0.0F, 1.0F);
+}
+
 void apply_theme(bool dark, float scale) {
   ImGuiStyle style;
   if (dark)
@@ -97,7 +103,11 @@ void apply_theme(bool dark, float scale) {
   style.FrameRounding = 4.0F;
   style.GrabRounding = 4.0F;
   style.WindowBorderSize = dark ? 0.0F : 1.0F;
-  style.Colors[ImGuiCol_WindowBg].w = 0.94F;
+  style.Colors[ImGuiCol_WindowBg].w = 0.97F;
+  style.Colors[ImGuiCol_PopupBg].w = 1.0F;
+  // Units stand in this ink: ImGui's own is too pale to read.
+  style.Colors[ImGuiCol_TextDisabled] =
+      dark ? ImVec4(0.66F, 0.68F, 0.70F, 1.0F) : ImVec4(0.36F, 0.37F, 0.39F, 1.0F);
   style.ScaleAllSizes(scale);
   ImGui::GetStyle() = style;
 }

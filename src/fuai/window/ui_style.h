@@ -25,5 +25,7 @@ void apply_theme(bool dark, float scale);
 Colour background_colour(bool dark);
 /// The floor.
 Colour ground_colour(bool dark);
+/// Ink of what is not measured. Thread class: any.
+ImVec4 assumed_colour(bool dark);
 
 }  // namespace fuai

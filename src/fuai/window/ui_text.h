@@ -12,7 +12,9 @@ enum class Language : std::uint8_t { kEnglish, kJapanese };
 
 /// A text of the window.
 enum class TextId : std::uint8_t {
-  kHint,
+  kHintGrab,
+  kHintSwitch,
+  kHintCompare,
   kMouseGrab,
   kMouseLeave,
   kMouseNearer,
@@ -23,6 +25,8 @@ enum class TextId : std::uint8_t {
   kKeyPlay,
   kKeyStep,
   kKeyStepBack,
+  kKeyLongStep,
+  kKeyLongStepBack,
   kKeyReset,
   kKeyFaster,
   kKeySlower,
@@ -33,6 +37,7 @@ enum class TextId : std::uint8_t {
   kKeyYarns,
   kKeyGround,
   kKeyCompare,
+  kKeyFeel,
   kKeyUnits,
   kKeyLanguage,
   kKeyTheme,
@@ -50,6 +55,16 @@ enum class TextId : std::uint8_t {
   kKeyOpen,
   kKeyQuit,
   kScene,
+  kSceneHangingSheet,
+  kSceneHangingStrip,
+  kSceneTautPatch,
+  kSceneYank,
+  kSceneShake,
+  kSceneBending,
+  kSceneCornerDrape,
+  kSceneGraspAndLift,
+  kSceneTableEdge,
+  kSceneDrapeTester,
   kFabric,
   kHelp,
   kPlainWeave,
@@ -127,7 +142,9 @@ enum class TextId : std::uint8_t {
   kStatusStep,
   kStatusRealTime,
   kStatusEnergy,
-  kEnergyParts,
+  kEnergyDeformation,
+  kEnergyWeight,
+  kEnergyMotion,
   kStatusDevice,
   kStatusFrames,
   kTooSlow,
@@ -163,8 +180,18 @@ enum class TextId : std::uint8_t {
   kDeviceMissing,
   kDeviceMouseGoesOn,
   kJndUnit,
+  kFelt,
+  kFeltNow,
+  kReplay,
+  kReplayAlike,
+  kReplayDiffers,
+  kReplayOver,
+  kReplayLeft,
+  kSearch,
+  kLetterSize,
+  kLoopHint,
 };
-inline constexpr std::size_t kTextCount = static_cast<std::size_t>(TextId::kJndUnit) + 1;
+inline constexpr std::size_t kTextCount = static_cast<std::size_t>(TextId::kLoopHint) + 1;
 
 /// A text in both languages, UTF-8.
 struct UiText {

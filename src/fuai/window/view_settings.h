@@ -7,6 +7,8 @@
 
 namespace fuai {
 
+inline constexpr int kLeastLetters = 50, kMostLetters = 400;  ///< [%]
+
 /// Choices of the user.
 struct ViewSettings {
   Language language = Language::kEnglish;
@@ -21,7 +23,8 @@ struct ViewSettings {
   double range = 0.0;                        ///< of the heat map when it is not automatic [SI]
   double speed = 1.0;                        ///< of time
   bool caption = true, transparent = false;  ///< of screenshots
-  float scale = 1.0F;                        ///< of everything
+  int letters = 100;                         ///< size of everything, kLeastLetters to kMostLetters [%]
+  float scale = 1.0F;  ///< of everything on the screen: that of the display times the letters
 };
 
 }  // namespace fuai

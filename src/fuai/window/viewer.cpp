@@ -2,52 +2,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuai/window/viewer.h"
 
-#include <backends/imgui_impl_opengl3.h>
-#include <epoxy/gl.h>
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "fuai/core/error.h"
-#include "fuai/device/gamepad_rumble.h"
-#include "fuai/device/registry.h"
-#include "fuai/experiments/scene_pictures.h"
 #include "fuai/io/fabric_library.h"
 #include "fuai/io/text_file.h"
-#include "fuai/picture/cloth_painter.h"
 #include "fuai/runtime/paced_thread.h"
 #include "fuai/window/kept_settings.h"
 #include "fuai/window/ui_style.h"
+#include "fuai/window/viewer_device.h"
 #include "fuai/window/viewer_files.h"
-#include "fuai/window/viewer_host.h"
+#include "fuai/window/viewer_replay.h"
+#include "fuai/window/viewer_screen.h"
 #include "fuai/window/viewer_state.h"
 #include "fuai/window/viewer_work.h"
 
 namespace fuai {
 namespace {
 
-/// Height of the letters at scale 1 [pixel].
-constexpr float kLetters = 15.0F;
 /// Without a cloth's thread a picture's time is stepped at a time [ticks].
 constexpr int kTicksAPicture = 16;
-
-/// How much light a driver can afford in every picture.
-struct Quality {
-  int samples = 4, ambient_directions = 32;
-};
-
-Quality quality_of(const std::string& renderer) {
-  const auto has = [&](const char* name) { return renderer.find(name) != std::string::npos; };
-  // Drivers that compute on the processor.
-  if (has("llvmpipe") || has("softpipe") || has("SWR")) return {0, 8};
-  return {};
-}
 
 double now_ms() { return 1e-3 * PacedThread::now_us(); }
 
@@ -74,38 +54,47 @@ class UiContext {
 /// All of it. Members are destroyed from the last to the first: the cloth's thread ends before the session.
 class Viewer {
  public:
-  explicit Viewer(const ViewerOptions& options) : options_(options), state_(setup_of(options)) {
+  explicit Viewer(const ViewerOptions& options)
+      : options_(options), state_(setup_of(options)), device_(state_, options.say) {
     state_.settings = options.settings;
     state_.fabric_names = bundled_fabric_ids();
     std::error_code code;  // a folder that is gone, or cannot be looked at, is not offered
     const std::string& folder = options.kept.folder;
     state_.browse_folder = std::filesystem::is_directory(folder, code) ? folder : data_folder();
+    state_.felt = options.felt;
+    if (options.fabrics.size() > 1) state_.steps.did(FirstStep::kCompare);
     load_texture();
     begin_session(state_);
-    open_device();
-    if (options_.rumble) open_rumble();
-    open_host();
+    device_.open(options_, steps_itself());
+    screen_ = std::make_unique<ViewerScreen>(options_, state_);
+    files_ = std::make_unique<ViewerFiles>(options_.folder, options_.version);
     if (!options.record.empty()) files_->start_recording(state_, options.record);
+    if (!options.replay.empty()) open_replay(state_, options.replay);
     state_.session->play(true);
     start_thread();
   }
 
   ViewerResult run() {
-    while (!host_->closing() && !state_.wishes.quit && !over()) frame();
+    while (!screen_->host().closing() && !state_.wishes.quit && !over()) frame();
     ViewerResult result;
     thread_.reset();
-    end_device(result);
+    device_.end(result);
     // Once more, without a step: the snapshot of the last tick, with its energies.
     state_.session->play(false);
     state_.session->tick(wall_us_ = std::max(wall_us_, PacedThread::now_us()) + 1e6);
     if (!options_.screenshot.empty()) write_screenshot();
-    files_->follow(state_, target_);
+    result.forces = state_.shown_forces;
+    files_->follow(state_, screen_->target());
     result.seconds = static_cast<double>(state_.session->ticks()) * kViewStep;
     result.pictures = pictures_;
     result.state_hash = state_.session->state_hash();
     result.picture_ms = median(picture_times_);
-    result.paint_ms = median(paint_times_);
-    result.renderer = renderer_;
+    result.paint_ms = median(screen_->paint_times());
+    if (state_.replay) {
+      result.replay_hashes = state_.replay->hashes;
+      result.replay_matches = state_.replay->first_difference < 0;
+    }
+    result.renderer = screen_->renderer();
     keep_settings();
     return result;
   }
@@ -140,96 +129,15 @@ class Viewer {
   }
   bool steps_itself() const { return options_.seconds > 0.0 || !options_.window; }
   bool over() const {
+    if (options_.stop != nullptr && options_.stop->load()) return true;
+    if (steps_itself() && state_.replay && state_.replay->over) return true;
     return options_.seconds > 0.0 &&
            static_cast<double>(state_.session->ticks()) * kViewStep >= options_.seconds - 0.5 * kViewStep;
   }
 
-  /// A device that is not there is told, and the mouse goes on.
-  void open_device() {
-    const std::string driver = options_.device.substr(0, options_.device.find(':'));
-    if (driver.empty() || find_device_driver(driver).name == mouse_driver().name) return;
-    state_.device.asked = options_.device;
-    try {
-      HandDevice opened = open_hand_device(options_.device);
-      if (steps_itself() && !opened.computed) {
-        throw Error(ErrorKind::kUsage,
-                    "'" + options_.device + "' lives in real time, and --seconds is computed time", {},
-                    "leave --seconds out, or take --device simulated");
-      }
-      device_ =
-          std::make_unique<DeviceHand>(std::move(opened), *state_.session,
-                                       steps_itself() ? DeviceHand::Time::kVirtual : DeviceHand::Time::kReal);
-      state_.device.model = device_->info().model;
-      state_.device.gives_force = device_->info().peak_force > 0.0;
-    } catch (const Error& e) {
-      if (e.kind() != ErrorKind::kNoDevice) throw;
-      tell(e.problem() + (e.cure().empty() ? "" : " (" + e.cure() + ")"));
-    }
-  }
-  void open_rumble() {
-    try {
-      rumble_ = std::make_unique<GamepadRumble>();
-    } catch (const Error& e) {
-      tell(e.problem() + " (" + e.cure() + ")");
-    }
-  }
-  /// As strong as the arrows are long: the force of the first cloth on the hand that gripped or moved last.
-  void rumble() {
-    if (!rumble_) return;
-    const bool felt = state_.playing && !state_.forces.empty() && state_.forces.back().hand >= 0;
-    if (rumble_->set(felt ? force_share(state_.forces.back().forces.front()) : 0.0)) return;
-    rumble_.reset();
-    tell("--rumble", TextId::kDeviceAway);
-  }
-  /// To the window in its language, and in English to whoever started it.
-  void tell(const std::string& what, std::optional<TextId> more = {}) {
-    const auto line = [&](Language language) {
-      return what + (more ? std::string(": ") + ui_text(*more, language) : "") + "; " +
-             ui_text(TextId::kDeviceMouseGoesOn, language);
-    };
-    state_.say(line(state_.settings.language), true);
-    if (options_.say) options_.say(line(Language::kEnglish));
-  }
-  void follow_device() {
-    if (!device_) return;
-    const DeviceView before = std::exchange(state_.device.view, device_->look());
-    const DeviceView& now = state_.device.view;
-    if (now.away && !before.away) tell(state_.device.model, TextId::kDeviceAway);
-    if (!now.away && before.away) state_.say(state_.device.model + ": " + state_.text(TextId::kDeviceBack));
-    if (now.faulted && !before.faulted) tell(state_.device.model, TextId::kDeviceFault);
-    device_force_ = std::max(device_force_, now.force);
-  }
-  void end_device(ViewerResult& result) {
-    if (!device_) return;
-    follow_device();
-    const std::vector<std::string> refused = device_->end();
-    if (options_.say)
-      for (const std::string& line : refused) options_.say(line);
-    result.device = state_.device.model;
-    result.overruns = state_.device.view.overruns;
-    result.device_force = device_force_;
-  }
-
-  void open_host() {
-    host_ = options_.window ? make_window_host(options_.width, options_.height, "fuai")
-                            : make_headless_host(options_.width, options_.height);
-    renderer_ = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-    quality_ = quality_of(renderer_);
-    if (!options_.window) quality_ = {};  // pictures for people, whatever they take
-    state_.settings.scale = std::max(host_->scale() * options_.settings.scale, 0.5F);
-    std::string names;
-    for (const ViewFabric& fabric : state_.document.setup().fabrics)
-      names += fabric.measured.name + fabric.measured.composition;
-    const std::string missing = load_fonts(std::round(kLetters * state_.settings.scale), names);
-    if (!missing.empty()) say(missing);
-    apply_theme(state_.settings.dark, state_.settings.scale);
-    painter_ = std::make_unique<ClothPainter>();
-    files_ = std::make_unique<ViewerFiles>(options_.folder, options_.version);
-  }
-
   void start_thread() {
-    if (device_) device_->begin(state_.cloths->scene(0).view);
-    if (device_ || steps_itself()) return;
+    device_.begin();
+    if (device_.ticks() || steps_itself()) return;
     thread_ = std::make_unique<PacedThread>(
         [session = state_.session.get()] { return session->tick(PacedThread::now_us()); }, kViewStep);
   }
@@ -239,10 +147,11 @@ class Viewer {
   }
 
   void step_cloths() {
-    follow_device();
-    if (device_ && !steps_itself()) {
-      device_->set_speed(state_.settings.speed);
-      state_.real_time_factor = device_->real_time_factor();
+    device_.follow();
+    DeviceHand* hand = device_.hand();
+    if (hand != nullptr && !steps_itself()) {
+      hand->set_speed(state_.settings.speed);
+      state_.real_time_factor = hand->real_time_factor();
       return;
     }
     if (thread_) {
@@ -252,8 +161,8 @@ class Viewer {
     }
     for (int i = 0; i < kTicksAPicture && !over(); ++i) {
       wall_us_ += 1e6 * kViewStep;
-      if (device_)
-        device_->tick(wall_us_);
+      if (hand != nullptr)
+        hand->tick(wall_us_);
       else
         state_.session->tick(wall_us_);
     }
@@ -270,20 +179,22 @@ class Viewer {
 
   void frame() {
     const double start = now_ms();
-    host_->begin_frame();
+    ViewerHost& host = screen_->host();
+    host.begin_frame();
     ImGui::NewFrame();
-    state_.clock = host_->clock();
-    target_.resize(std::max(host_->width(), 64), std::max(host_->height(), 64), quality_.samples);
+    state_.clock = host.clock();
+    screen_->resize();
     step_cloths();
-    if (follow_document(state_)) {
+    const bool replaced = follow_replay(state_);
+    if (follow_document(state_) || replaced) {
       files_->setup_changed(state_);
       if (state_.built.scene != framed_scene_) {
         frame_next_ = true;
-        if (device_) device_->begin(state_.cloths->scene(0).view);
+        device_.begin();
       }
     }
     take_snapshot(state_);
-    rumble();
+    device_.follow_force();
     state_.tiles = make_tiles(lay_out(state_).view, state_.meshes.size());
     if (frame_next_) {
       frame_view(state_);
@@ -292,46 +203,29 @@ class Viewer {
       framed_scene_ = state_.built.scene;
       frame_next_ = false;
     }
-    handle_keys(state_, host_->take_keys());
-    state_.left_presses = host_->take_left_presses();
+    handle_keys(state_, host.take_keys());
+    state_.left_presses = host.take_left_presses();
+    state_.press_place = Vec2(host.press_place()[0], host.press_place()[1]);
     panels();
     handle_mouse(state_);
     draw_overlay_2d(state_);
     ImGui::Render();
     // Without a window nobody looks before the end.
-    if (options_.window) paint();
-    host_->show(target_);
+    if (options_.window) screen_->paint(state_);
+    host.show(screen_->target());
     serve_wishes();
-    files_->follow(state_, target_);
+    files_->follow(state_, screen_->target());
     note_times(start);
-  }
-
-  void paint() {
-    const double start = now_ms();
-    glBindFramebuffer(GL_FRAMEBUFFER, target_.screen());
-    glDisable(GL_FRAMEBUFFER_SRGB);
-    glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
-    glClear(GL_COLOR_BUFFER_BIT);
-    for (std::size_t i = 0; i < state_.tiles.size(); ++i) {
-      const ScreenTile& tile = state_.tiles[i];
-      const GLuint buffer = target_.begin_tile(tile);
-      painter_->paint(cloth_picture(state_, i, quality_.ambient_directions), buffer, tile.width, tile.height);
-      target_.end_tile(tile);
-    }
-    paint_times_.push_back(now_ms() - start);
-    glBindFramebuffer(GL_FRAMEBUFFER, target_.screen());
-    glDisable(GL_FRAMEBUFFER_SRGB);
-    glViewport(0, 0, target_.width(), target_.height());
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   }
 
   void serve_wishes() {
     ViewWishes& wishes = state_.wishes;
     if (wishes.new_theme) apply_theme(state_.settings.dark, state_.settings.scale);
-    if (wishes.full_screen) host_->toggle_full_screen();
+    if (wishes.new_scale) screen_->rescale(state_);
+    if (wishes.full_screen) screen_->host().toggle_full_screen();
     if (wishes.open) open_path(state_, *wishes.open);
-    for (const std::string& path : host_->take_dropped()) open_path(state_, path);
-    files_->serve(state_, target_, *painter_);
+    for (const std::string& path : screen_->host().take_dropped()) open_path(state_, path);
+    files_->serve(state_, screen_->target(), screen_->painter());
     const bool quit = wishes.quit;
     wishes = {};
     wishes.quit = quit;
@@ -343,16 +237,14 @@ class Viewer {
     // Once more, with what the last ticks made; of the whole window, panels included.
     take_snapshot(state_);
     if (!options_.window) aim();  // nobody could follow the cloth
-    host_->begin_frame();
+    screen_->host().begin_frame();
     ImGui::NewFrame();
     state_.tiles = make_tiles(lay_out(state_).view, state_.meshes.size());
     panels();
     draw_overlay_2d(state_);
     ImGui::Render();
-    paint();
-    Image image = target_.read();
-    for (std::size_t i = 3; i < image.pixels.size(); i += 4) image.pixels[i] = 255;
-    write_atomically(options_.screenshot, encode_png(image));
+    screen_->paint(state_);
+    write_atomically(options_.screenshot, encode_png(screen_->read()));
   }
 
   void note_times(double start) {
@@ -365,28 +257,21 @@ class Viewer {
     }
     last_picture_ = now;
     ++pictures_;
-    constexpr std::size_t kMostTimes = 20000;
-    if (picture_times_.size() > kMostTimes) picture_times_.clear();
-    if (paint_times_.size() > kMostTimes) paint_times_.clear();
+    if (picture_times_.size() > kMostPictureTimes) picture_times_.clear();
   }
 
   ViewerOptions options_;
   ViewerState state_;
   UiContext ui_;
-  std::unique_ptr<ViewerHost> host_;
-  std::string renderer_, framed_scene_;
-  Quality quality_;
-  std::unique_ptr<ClothPainter> painter_;
-  ScreenTarget target_;
+  std::unique_ptr<ViewerScreen> screen_;
   std::unique_ptr<ViewerFiles> files_;
+  std::string framed_scene_;
   bool frame_next_ = true;
   double wall_us_ = 0.0;  // of the ticks that are done here
   double last_picture_ = 0.0;
   std::int64_t pictures_ = 0;
-  std::vector<double> picture_times_, paint_times_;
-  double device_force_ = 0.0;
-  std::unique_ptr<GamepadRumble> rumble_;
-  std::unique_ptr<DeviceHand> device_;
+  std::vector<double> picture_times_;
+  ViewerDevice device_;
   std::unique_ptr<PacedThread> thread_;
 };
 

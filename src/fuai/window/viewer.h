@@ -11,6 +11,7 @@
 //   With a device its hand brings a force loop along, and ticks the session (device_hand.h).
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <string>
 #include <vector>
@@ -31,30 +32,44 @@ struct ViewerOptions {
   bool scene_moves = false;        ///< the scene's own hands and pins move
   double seconds = 0.0;            ///< simulated time after which it ends [s]; 0: until it is closed
   std::string device;              ///< "driver" or "driver:model"; empty or "mouse": the mouse alone
+  std::size_t felt = 0;            ///< number of the cloth that the device feels
   bool rumble = false;             ///< a gamepad rumbles with the force on the hand of the user
+  bool sound = false;              ///< a tone follows that force
   double zoom = 1.0;               ///< how many times nearer than where everything is seen
   std::string texture;             ///< PNG that lies on the cloths; what is wrong with it is told by `say`
   double texture_width = 0.1;      ///< width of that picture on the cloth [m]
   KeptSettings kept;               ///< as they were read
   std::string settings_file;       ///< where settings are kept at the end; empty: nowhere
   std::string screenshot;          ///< PNG written at the end
+  std::string replay;              ///< recording that is done again; it brings scene and fabrics
   std::string record;              ///< recording written from the start
   std::string folder = ".";        ///< where pictures, videos and logs go
   std::string version;             ///< of the program, for captions
   std::function<void(const std::string&)> say;  ///< one clear line about what is missing
+  const std::atomic<bool>* stop = nullptr;      ///< ends it as if the window were closed; null: nobody does
+};
+
+/// A force as it is written beside a hand.
+struct ShownForce {
+  std::size_t cloth = 0;
+  std::string hand;  ///< a number, or "scene 0"
+  std::string text;  ///< "118.3 mN   12.06 gf"
 };
 
 /// What happened.
 struct ViewerResult {
   double seconds = 0.0;  ///< simulated [s]
   std::int64_t pictures = 0;
-  std::uint64_t state_hash = 0;  ///< of all cloths at the end
-  double picture_ms = 0.0;       ///< median time from picture to picture [ms]
-  double paint_ms = 0.0;         ///< median time for the cloths of a picture [ms]
-  std::string renderer;          ///< as the driver calls itself
-  std::string device;            ///< model; empty: the mouse alone
-  std::uint64_t overruns = 0;    ///< of its force loop
-  double device_force = 0.0;     ///< most that was sent to it [N]
+  std::uint64_t state_hash = 0;    ///< of all cloths at the end
+  double picture_ms = 0.0;         ///< median time from picture to picture [ms]
+  double paint_ms = 0.0;           ///< median time for the cloths of a picture [ms]
+  std::string renderer;            ///< as the driver calls itself
+  std::string device;              ///< model; empty: the mouse alone
+  std::vector<ShownForce> forces;  ///< in the last picture
+  std::uint64_t overruns = 0;      ///< of its force loop
+  double device_force = 0.0;       ///< most that was sent to it [N]
+  std::int64_t replay_hashes = 0;  ///< compared with those of a recording; 0: there was none
+  bool replay_matches = false;     ///< all of them
 };
 
 /// Whether there is a display to open a window on. Thread class: set-up.
@@ -62,7 +77,8 @@ bool has_display();
 
 /// Runs until the window is closed or the seconds are over. @throws Error (kNoDevice) without a display or a
 /// graphics driver; as make_view_setup(); (kUsage) for a driver that does not
-/// exist, and a real device in computed time; (kBadInput) for files that cannot be written. Thread class:
+/// exist, and a real device in computed time; (kBadInput) for files that cannot be written, and a recording
+/// that cannot be read. Thread class:
 /// set-up.
 ViewerResult run_viewer(const ViewerOptions& options);
 

@@ -37,6 +37,11 @@ bool try_files(ViewerState& state, const Work& work) {
   }
 }
 
+/// Files are of the fabric whose page is shown.
+std::size_t shown_fabric(const ViewerState& state) {
+  return std::min(state.page, state.built.fabrics.size() - 1);
+}
+
 std::vector<GraspReading> readings_of(const ClothView& view) {
   std::vector<GraspReading> readings(view.hands.begin(), view.hands.end());
   readings.insert(readings.end(), view.scene_hands.begin(), view.scene_hands.end());
@@ -190,7 +195,7 @@ void ViewerFiles::toggle_recording(ViewerState& state) {
     return;
   }
   try_files(state, [&] {
-    const std::string path = free_name("fuai", ".fuai-view");
+    const std::string path = free_name("fuai", kViewLogEnding);
     // A recording begins where new cloths take over.
     start_recording(state, path);
     restart_cloths(state);
@@ -215,7 +220,7 @@ void ViewerFiles::toggle_force_log(ViewerState& state) {
 
 void ViewerFiles::save_fabric(ViewerState& state) {
   try_files(state, [&] {
-    const ViewFabric& fabric = state.built.fabrics.front();
+    const ViewFabric& fabric = state.built.fabrics[shown_fabric(state)];
     const Fabric scaled = scaled_fabric(fabric);
     const std::string path = free_name(scaled.id.empty() ? "fabric" : scaled.id, ".fabric.toml");
     write_fabric_file(path, scaled);
@@ -230,11 +235,12 @@ void ViewerFiles::serve(ViewerState& state, ScreenTarget& target, ClothPainter& 
   if (wishes.record) toggle_recording(state);
   if (wishes.force_log) toggle_force_log(state);
   if (wishes.save) save_fabric(state);
-  const std::string name = state.built.fabrics.front().measured.id;
+  const std::size_t shown = shown_fabric(state);
+  const std::string name = state.built.fabrics[shown].measured.id;
   const auto export_mesh = [&](const char* ending, const auto& bytes_of) {
     try_files(state, [&] {
       const std::string path = free_name("fuai", ending);
-      write_atomically(path, bytes_of(state.meshes.front().mesh));
+      write_atomically(path, bytes_of(state.meshes[shown].mesh));
       state.say(path + ": " + state.text(TextId::kSaved));
     });
   };

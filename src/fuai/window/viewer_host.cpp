@@ -10,6 +10,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <utility>
 
@@ -53,7 +54,12 @@ class WindowHost final : public ViewerHost {
     });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
       auto* self = static_cast<WindowHost*>(glfwGetWindowUserPointer(window));
-      if (button == GLFW_MOUSE_BUTTON_LEFT && action == GLFW_PRESS) ++self->left_presses_;
+      if (button != GLFW_MOUSE_BUTTON_LEFT || action != GLFW_PRESS) return;
+      ++self->left_presses_;
+      self->press_place_ = self->cursor_;
+    });
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
+      static_cast<WindowHost*>(glfwGetWindowUserPointer(window))->cursor_ = {x, y};
     });
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
     ImGui_ImplOpenGL3_Init(kGlsl);
@@ -97,6 +103,7 @@ class WindowHost final : public ViewerHost {
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
   }
   int take_left_presses() override { return std::exchange(left_presses_, 0); }
+  std::array<double, 2> press_place() const override { return press_place_; }
   std::vector<KeyPress> take_keys() override { return std::exchange(keys_, {}); }
   std::vector<std::string> take_dropped() override { return std::exchange(dropped_, {}); }
 
@@ -116,6 +123,7 @@ class WindowHost final : public ViewerHost {
   std::vector<std::string> dropped_;
   std::vector<KeyPress> keys_;
   int left_presses_ = 0;
+  std::array<double, 2> cursor_{}, press_place_{};
 };
 
 class HeadlessHost final : public ViewerHost {

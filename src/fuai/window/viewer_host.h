@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,6 +35,8 @@ class ViewerHost {
   virtual std::vector<KeyPress> take_keys() { return {}; }
   /// How often the left button went down since the last call: two within one picture are a double click.
   virtual int take_left_presses() { return 0; }
+  /// Where it went down the last time [pixel]: by the next picture the cursor may be elsewhere.
+  virtual std::array<double, 2> press_place() const { return {}; }
   /// Paths that were dropped on it since the last call.
   virtual std::vector<std::string> take_dropped() { return {}; }
 };

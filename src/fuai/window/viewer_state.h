@@ -12,8 +12,11 @@
 #include "fuai/cloth/piece_mesh.h"
 #include "fuai/laboratory/fabric_comparison.h"
 #include "fuai/laboratory/fabric_numbers.h"
+#include "fuai/viewer/view_log.h"
 #include "fuai/viewer/view_session.h"
 #include "fuai/window/device_hand.h"
+#include "fuai/window/fabric_choice.h"
+#include "fuai/window/first_steps.h"
 #include "fuai/window/hand_book.h"
 #include "fuai/window/key_table.h"
 #include "fuai/window/orbit_camera.h"
@@ -22,6 +25,7 @@
 #include "fuai/window/view_document.h"
 #include "fuai/window/view_quantity.h"
 #include "fuai/window/view_settings.h"
+#include "fuai/window/viewer.h"
 
 namespace fuai {
 
@@ -51,6 +55,29 @@ struct ShownDevice {
   Vec3 start = Vec3::Zero();  ///< where its hand gripped last [m]
 };
 
+/// A recording that is done again.
+struct ShownReplay {
+  std::string name;  ///< of its file
+  std::vector<ViewLogPart> parts;
+  std::int64_t end = 0;  ///< last tick of all, as the recording counts
+  bool begun = false, over = false;
+  std::size_t part = 0;                        ///< under way
+  std::int64_t last_tick = 0;                  ///< of this part
+  std::uint64_t build = 0;                     ///< of the session, that the part is
+  std::int64_t tick = 0;                       ///< where it is, as the recording counts
+  std::int64_t end_tick = 0;                   ///< of the session when it was over
+  std::int64_t hashes = 0, hashes_before = 0;  ///< compared in all, and by earlier parts
+  std::int64_t first_difference = -1;          ///< as the recording counts; -1: none
+};
+
+/// The list to choose a fabric from.
+struct ShownChoice {
+  std::vector<FabricChoice> fabrics;  ///< bundled; empty until it is opened
+  char text[64] = {};                 ///< searched
+  ChoiceColumn by = ChoiceColumn::kName;
+  bool descending = false;
+};
+
 /// What the pressed button does.
 struct Drag {
   enum class Kind : std::uint8_t { kNone, kHand, kOrbit, kPan };
@@ -63,7 +90,7 @@ struct Drag {
 /// What a frame wants done when it is over.
 struct ViewWishes {
   bool quit = false, full_screen = false, screenshot = false, video = false, record = false, obj = false,
-       gltf = false, force_log = false, save = false, new_theme = false;
+       gltf = false, force_log = false, save = false, new_theme = false, new_scale = false;
   std::optional<std::string> open;  ///< path
 };
 
@@ -86,23 +113,32 @@ struct ViewerState {
 
   HandBook hands;
   ShownDevice device;
+  bool rumbles = false;  ///< a gamepad or a tone follows the force
+  std::size_t felt = 0;  ///< number of the cloth that devices feel
+  std::size_t page = 0;  ///< number of the fabric whose numbers are shown: files take and give this one
+  std::optional<std::size_t> turn_to;  ///< page to be shown from the next picture on
+  std::optional<ShownReplay> replay;
+  ShownChoice choice;
   Drag drag;
-  int left_presses = 0;  ///< since the last picture
+  int left_presses = 0;             ///< since the last picture
+  Vec2 press_place = Vec2::Zero();  ///< of the last of them [pixel]
   OrbitCamera camera;
   std::vector<ScreenTile> tiles;  ///< by cloth, in pixels of the screen
   bool playing = true;
   std::deque<ForceMoment> forces;  ///< the last seconds
   std::deque<Message> messages;
+  std::vector<ShownForce> shown_forces;  ///< in the last picture
   ViewWishes wishes;
   double clock = 0.0;                      ///< since the start of the window [s]
   std::optional<double> real_time_factor;  ///< of the last second; none: the cloths are not paced
   double picture_ms = 0.0;                 ///< time between pictures, smoothed
   bool recording = false, filming = false, logging = false;
-  bool browsing = false;  ///< the file panel is open
+  bool loops_near = false;  ///< the axes of the live loops reach as far as the cloth, else the instrument
+  bool browsing = false;    ///< the file panel is open
   std::string browse_folder;
   std::uint64_t built_version = 0;  ///< of the document, that `cloths` were built for
   ViewSetup built;                  ///< that setup: what is seen; the document may be a change ahead
-  bool hint = true;
+  FirstSteps steps;                 ///< of a newcomer
 
   explicit ViewerState(ViewSetup setup) : document(std::move(setup)) {}
 
@@ -127,6 +163,8 @@ void draw_time_panel(ViewerState& state);
 void draw_help(ViewerState& state);
 void draw_browser(ViewerState& state);
 void draw_comparison(ViewerState& state);
+/// The list of fabrics, for a place of the table.
+void draw_fabric_choice(ViewerState& state, std::size_t place);
 /// Lines, arrows, forces, colour bar and captions over the cloths.
 void draw_overlay_2d(ViewerState& state);
 /// Mouse and keys that no panel wants.

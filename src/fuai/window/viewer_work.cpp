@@ -12,6 +12,7 @@
 #include "fuai/io/threshold_file.h"
 #include "fuai/scenes/catalogue.h"
 #include "fuai/window/ui_style.h"
+#include "fuai/window/viewer_replay.h"
 
 namespace fuai {
 namespace {
@@ -45,6 +46,12 @@ bool same_lattice(const ViewSetup& a, const ViewSetup& b) {
   return a.scene == b.scene && a.size.size == b.size.size && a.size.spacing == b.size.spacing;
 }
 
+void tell_refusal(ViewerState& state, const Error& e) {
+  state.say(std::string(state.text(TextId::kNotOpened)) + ": " + e.what() + " (" +
+                state.text(TextId::kNothingChanged) + ")",
+            true);
+}
+
 /// Runs a change of the document; what it throws is told.
 template <class Change>
 void try_change(ViewerState& state, const Change& change) {
@@ -53,9 +60,7 @@ void try_change(ViewerState& state, const Change& change) {
     change(setup);
     state.document.change(std::move(setup));
   } catch (const Error& e) {
-    state.say(std::string(state.text(TextId::kNotOpened)) + ": " + e.what() + " (" +
-                  state.text(TextId::kNothingChanged) + ")",
-              true);
+    tell_refusal(state, e);
   }
 }
 
@@ -140,18 +145,23 @@ void begin_session(ViewerState& state) {
   make_meshes(state);
 }
 
+void meet_device(ViewerState& state, const DeviceInfo& device) {
+  state.device.model = device.model;
+  state.device.gives_force = device.peak_force > 0.0;
+  if (!state.device.gives_force) return;
+  ViewSetup setup = state.document.setup();
+  setup.felt = true;
+  state.document = ViewDocument(std::move(setup));  // nothing was done that could be undone
+  begin_session(state);
+}
+
 bool follow_document(ViewerState& state) {
   if (state.built_version == state.document.version()) return false;
   state.built_version = state.document.version();
   try {
     const bool keep = same_lattice(state.built, state.document.setup());
-    auto cloths = std::make_shared<ViewCloths>(state.document.setup());
-    study_fabrics(state);
-    state.cloths = std::move(cloths);
-    state.built = state.document.setup();
-    state.session->replace(state.cloths, keep);
-    if (!keep) state.forces.clear();
-    make_meshes(state);
+    take_cloths(state, std::make_shared<ViewCloths>(state.document.setup()), keep);
+    state.replay.reset();  // a change of the user's ends it
     return true;
   } catch (const Error& e) {
     state.say(std::string(e.what()) + " (" + state.text(TextId::kNothingChanged) + ")", true);
@@ -160,6 +170,19 @@ bool follow_document(ViewerState& state) {
     study_fabrics(state);
     return false;
   }
+}
+
+std::uint64_t take_cloths(ViewerState& state, std::shared_ptr<ViewCloths> cloths, bool keep,
+                          std::shared_ptr<const ViewScript> script) {
+  study_fabrics(state);
+  state.cloths = std::move(cloths);
+  state.built = state.document.setup();
+  state.built_version = state.document.version();
+  const std::uint64_t build = state.session->replace(state.cloths, keep, std::move(script));
+  if (!keep) state.forces.clear();
+  for (ForceMoment& moment : state.forces) moment.probed = false;  // of other laws
+  make_meshes(state);
+  return build;
 }
 
 void restart_cloths(ViewerState& state) {
@@ -215,11 +238,17 @@ std::string lay_texture(ViewerState& state, const std::string& path, double widt
 }
 
 void add_view_fabric(ViewerState& state, const std::string& source) {
+  const std::size_t before = state.document.setup().fabrics.size();
   try_change(state, [&](ViewSetup& setup) { setup.fabrics.push_back(load_view_fabric(source)); });
+  if (state.document.setup().fabrics.size() == before) return;
+  state.turn_to = before;
+  state.steps.did(FirstStep::kCompare);
 }
 
 void set_view_fabric(ViewerState& state, std::size_t place, const std::string& source) {
+  const std::uint64_t before = state.document.version();
   try_change(state, [&](ViewSetup& setup) { setup.fabrics[place] = load_view_fabric(source); });
+  if (state.document.version() != before) state.steps.did(FirstStep::kSwitch);
 }
 
 void remove_view_fabric(ViewerState& state, std::size_t place) {
@@ -233,7 +262,17 @@ void set_view_scene(ViewerState& state, const std::string& scene) {
   try_change(state, [&](ViewSetup& setup) { setup.scene = scene; });
 }
 
-void open_path(ViewerState& state, const std::string& path) { set_view_fabric(state, 0, path); }
+void open_path(ViewerState& state, const std::string& path) {
+  if (path.ends_with(kViewLogEnding)) {
+    try {
+      open_replay(state, path);
+    } catch (const Error& e) {
+      tell_refusal(state, e);
+    }
+    return;
+  }
+  set_view_fabric(state, std::min(state.page, state.document.setup().fabrics.size() - 1), path);
+}
 
 HeatRange heat_range(const ViewerState& state) {
   const auto& quantity = view_quantities()[static_cast<std::size_t>(std::max(state.settings.heat_map, 0))];
@@ -255,7 +294,7 @@ ClothPicture cloth_picture(const ViewerState& state, std::size_t cloth, int ambi
   picture.camera = state.camera.camera();
   picture.ambient_directions = ambient_directions;
   picture.background = background_colour(settings.dark);
-  picture.ground.shown = settings.ground;
+  picture.ground.shown = settings.ground && picture.camera.eye.z() > picture.ground.height;
   picture.ground.colour = ground_colour(settings.dark);
   ClothItem item;
   item.mesh = state.meshes[cloth].mesh;

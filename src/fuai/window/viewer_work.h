@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "fuai/picture/cloth_picture.h"
@@ -17,9 +18,16 @@ ViewSetup make_view_setup(const std::string& scene, const std::vector<std::strin
 /// Builds everything that belongs to the document's setup and begins the session. @throws Error. Thread
 /// class: the window's.
 void begin_session(ViewerState& state);
+/// A device takes part, before the user did anything: where it gives forces the session begins anew with
+/// cloths that are stepped to be felt. @throws Error. Thread class: the window's.
+void meet_device(ViewerState& state, const DeviceInfo& device);
 /// The same after a change of the document: what can be kept is. A setup that cannot be built is told and
 /// undone. @return whether the cloths are new. Thread class: the window's.
 bool follow_document(ViewerState& state);
+/// Cloths of the document's setup take over. @param keep, script as ViewSession::replace() @return the number
+/// of the build. Thread class: the window's.
+std::uint64_t take_cloths(ViewerState& state, std::shared_ptr<ViewCloths> cloths, bool keep,
+                          std::shared_ptr<const ViewScript> script = nullptr);
 /// New cloths of the same setup, at the start of the scene. @throws Error as ViewCloths. Thread class: the
 /// window's.
 void restart_cloths(ViewerState& state);
@@ -40,8 +48,8 @@ void add_view_fabric(ViewerState& state, const std::string& source);
 void set_view_fabric(ViewerState& state, std::size_t place, const std::string& source);
 void remove_view_fabric(ViewerState& state, std::size_t place);
 void set_view_scene(ViewerState& state, const std::string& scene);
-/// Opens what the user dropped or chose: a fabric file, or measurements that make one, takes the place of the
-/// first fabric. Thread class: the window's.
+/// Opens what the user dropped or chose: a recording is done again; a fabric file, or measurements that make
+/// one, takes the place of the fabric whose page is shown. Thread class: the window's.
 void open_path(ViewerState& state, const std::string& path);
 
 /// What to paint of a cloth. Thread class: the window's.
