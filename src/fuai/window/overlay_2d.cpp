@@ -80,7 +80,7 @@ std::string draw_hand(const ViewerState& state, ImDrawList& list, const ScreenTi
     draw_head(list, flat(patch), label, 10.0F * scale, colour);
   }
   if (mark.pinned && force < 1e-3) return {};
-  const std::string text = force_text(force);
+  std::string text = force_text(force);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   // Beside the tip, on the side the arrow points to; inside the tile, at its upper left edge where it is too
   // small.
