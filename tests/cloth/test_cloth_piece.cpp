@@ -123,18 +123,32 @@ TEST_SUITE("unit") {
     struct Case {
       double edge;   // [cells]
       int fixed;     // columns
-      double share;  // of the spacing that bends in the last fixed slot
+      double s;      // edge beyond the last fixed column, which is less than half a cell outside
     };
-    // 1/2 - s, limited to 1/20 and 1/0.7; the last fixed column is less than half a cell beyond the edge.
-    for (const Case& c : {Case{4.0, 5, 0.5}, Case{4.2, 5, 0.3}, Case{4.4, 5, 0.1}, Case{4.5, 5, 0.05},
-                          Case{4.7, 6, 0.8}, Case{4.501, 6, 0.999}}) {
+    for (const Case& c : {Case{4.0, 5, 0.0}, Case{4.2, 5, 0.2}, Case{4.4, 5, 0.4}, Case{4.5, 5, 0.5},
+                          Case{4.7, 6, -0.3}, Case{4.501, 6, -0.499}}) {
       const ClothModel m = held_strip(0.01 * c.edge);
       int fixed = 0;
       for (int column = 0; column < m.columns; ++column) fixed += m.fixed[index(m, column, 3)];
       CHECK(fixed == c.fixed);
-      CHECK(m.weft_bend_length[index(m, c.fixed - 1, 3)] == relative(0.01 * c.share, 1e-9));
-      CHECK(m.weft_bend_area[index(m, c.fixed - 1, 3)] == relative(1e-4 * c.share, 1e-9));
-      CHECK(m.weft_bend_length[index(m, c.fixed, 3)] == 0.01);
+      // The triples from the last fixed one on sum polynomials of the second degree as the integral from the
+      // edge does; from the fourth on they are whole.
+      const auto length = [&](int i) { return m.weft_bend_length[index(m, c.fixed - 1 + i, 3)]; };
+      for (int degree = 0; degree <= 2; ++degree) {
+        CAPTURE(degree);
+        double sum = 0.0;
+        for (int i = 0; i < 4; ++i) sum += length(i) * std::pow(i, degree);
+        // Up to the middle between the fourth and the fifth, where the sum itself is a trapezoidal one: its far
+        // end adds -h^2/24 f'.
+        const double far = std::pow(3.5, degree + 1) / (degree + 1),
+                     near = std::pow(c.s, degree + 1) / (degree + 1);
+        const double far_end = degree == 0 ? 0.0 : degree * std::pow(3.5, degree - 1) / 24.0;
+        CHECK(sum == relative(0.01 * (far - near - far_end), 1e-9));
+      }
+      CHECK(length(0) > 0.0004);
+      CHECK(length(3) == 0.01);
+      for (int i = 0; i < 4; ++i)
+        CHECK(m.weft_bend_area[index(m, c.fixed - 1 + i, 3)] == relative(0.01 * length(i), 1e-9));
       CHECK(m.warp_bend_length[index(m, c.fixed - 1, 3)] == 0.01);  // these yarns do not leave the clamp
     }
     const ClothModel plain = held_strip(0.048, false);
@@ -162,12 +176,14 @@ TEST_SUITE("unit") {
     spec.clamps.push_back({DiscRegion{Vec2(0.1, 0.1), 0.052}, true});
     const ClothModel disc = make_cloth_model(spec);
     // Through the centre s = 0.2; three yarns up the circle is reached at sqrt(5.2^2 - 3^2) = 4.2474.
-    CHECK(disc.weft_bend_length[index(disc, 15, 10)] == relative(0.003, 1e-9));
-    CHECK(disc.weft_bend_length[index(disc, 5, 10)] == relative(0.003, 1e-9));
+    // Gregory's 3/8 at s = 0, see docs/theory/cloth-pieces.md.
+    const auto held = [](double s) { return 0.01 * (0.375 - s + 0.75 * s * s - s * s * s / 6.0); };
+    CHECK(disc.weft_bend_length[index(disc, 15, 10)] == relative(held(0.2), 1e-9));
+    CHECK(disc.weft_bend_length[index(disc, 5, 10)] == relative(held(0.2), 1e-9));
     CHECK(disc.fixed[index(disc, 14, 13)] == 1);
     CHECK(disc.fixed[index(disc, 15, 13)] == 0);
     const double s = std::sqrt(5.2 * 5.2 - 9.0) - 4.0;
-    CHECK(disc.weft_bend_length[index(disc, 14, 13)] == relative(0.01 * (0.5 - s), 1e-9));
+    CHECK(disc.weft_bend_length[index(disc, 14, 13)] == relative(held(s), 1e-9));
     for (const bool as_polygon : {false, true}) {
       spec.clamps.clear();
       PolygonRegion box = make_rectangle_region(Vec2(0.05, 0.06), Vec2(0.128, 0.15));
@@ -175,9 +191,9 @@ TEST_SUITE("unit") {
       spec.clamps.push_back({box, true});
       const ClothModel m = make_cloth_model(spec);
       CHECK(m.fixed[index(m, 13, 10)] == 1);  // 0.2 of a spacing outside: s = -0.2
-      CHECK(m.weft_bend_length[index(m, 13, 10)] == relative(0.007, 1e-9));
-      CHECK(m.weft_bend_length[index(m, 5, 10)] == relative(0.005, 1e-9));  // on the edge: s = 0
-      CHECK(m.warp_bend_length[index(m, 10, 6)] == relative(0.005, 1e-9));
+      CHECK(m.weft_bend_length[index(m, 13, 10)] == relative(held(-0.2), 1e-9));
+      CHECK(m.weft_bend_length[index(m, 5, 10)] == relative(held(0.0), 1e-9));  // on the edge: s = 0
+      CHECK(m.warp_bend_length[index(m, 10, 6)] == relative(held(0.0), 1e-9));
       CHECK(m.fixed[index(m, 4, 10)] == 0);
     }
   }

@@ -59,7 +59,4 @@ inline double convergence_order(const std::vector<double>& errors) {
   return up / down;
 }
 
-/// The limit of a sequence of order 2 from its last two values, h halved between them.
-inline double extrapolated(double coarse, double fine) { return fine + (fine - coarse) / 3.0; }
-
 }  // namespace fuai_test

@@ -118,43 +118,31 @@ struct Square {
 };
 
 // Navier's series; clamped isotropic: Timoshenko and Woinowsky-Krieger; the other clamped ones extrapolated
-// from N = 64 and 128 of an independent solution of the same lattice.
-const Square kSupported[] = {{"supported isotropic", kIsotropic, false, .00406235},
-                             {"supported orthotropic", kOrthotropic, false, .04170541},
-                             {"supported without twist", kNoTwist, false, .00820416}};
-const Square kClamped[] = {{"clamped isotropic", kIsotropic, true, .00126532},
+// from N = 64 and 128 of an independent solution of the lattice with half a cell at the clamps.
+const Square kSquares[] = {{"supported isotropic", kIsotropic, false, .00406235},
+                           {"supported orthotropic", kOrthotropic, false, .04170541},
+                           {"supported without twist", kNoTwist, false, .00820416},
+                           {"clamped isotropic", kIsotropic, true, .00126532},
                            {"clamped orthotropic", kOrthotropic, true, .011810},
                            {"clamped without twist", kNoTwist, true, .0016646}};
 
 }  // namespace
 
 TEST_SUITE("convergence") {
-  TEST_CASE("simply supported squares: order 2, within 0.1 % at 64 cells") {
-    for (const Square& square : kSupported) {
+  TEST_CASE("simply supported and clamped squares: order 2, within 0.1 % at 64 cells") {
+    for (const Square& square : kSquares) {
       CAPTURE(std::string(square.name));
+      // Demanded: 0.1 % at 64 cells. What is left of the clamped ones is so small that it changes its sign on
+      // the way, so their order 2 is asked of a curve above the errors.
+      const double at_64 = square.clamped ? 3e-4 : 1e-3;
       std::vector<double> errors;
-      for (int cells : {16, 32, 64})
+      for (int cells : {16, 32, 64}) {
         errors.push_back(square_deflection(square.plate, square.clamped, cells) / square.exact - 1.0);
+        CHECK(std::abs(errors.back()) < at_64 * std::pow(64.0 / cells, 2));
+      }
       MESSAGE(std::string(square.name), " ", 100 * errors[0], " ", 100 * errors[1], " ", 100 * errors[2],
               " % order ", convergence_order(errors));
-      CHECK(std::abs(errors[2]) < 1e-3);
-      CHECK(convergence_order(errors) >= 1.9);
-    }
-  }
-
-  TEST_CASE("clamped squares: order 2, the extrapolated limit within 0.1 %") {
-    for (const Square& square : kClamped) {
-      CAPTURE(std::string(square.name));
-      std::vector<double> values, errors;
-      for (int cells : {16, 32, 64}) {
-        values.push_back(square_deflection(square.plate, square.clamped, cells));
-        errors.push_back(values.back() / square.exact - 1.0);
-      }
-      const double limit = extrapolated(values[1], values[2]) / square.exact - 1.0;
-      MESSAGE(std::string(square.name), " ", 100 * errors[0], " ", 100 * errors[1], " ", 100 * errors[2],
-              " % order ", convergence_order(errors), " limit ", 100 * limit, " %");
-      CHECK(convergence_order(errors) >= 1.9);
-      CHECK(std::abs(limit) < 1e-3);
+      if (!square.clamped) CHECK(convergence_order(errors) >= 1.9);
     }
   }
 

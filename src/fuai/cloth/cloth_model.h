@@ -47,8 +47,8 @@ struct ClothModel {
   std::vector<double> weft_edge_area, warp_edge_area;  ///< cloth stretched with the edge [m2]; the same sums
   std::vector<double> weft_bend_area, warp_bend_area;  ///< cloth bent with the triple [m2]; 0: no triple
   std::vector<double> weft_bend_length,
-      warp_bend_length;               ///< curvature = angle / this [m]: the spacing, or the
-                                      ///< free part of a triple that a clamp edge cuts
+      warp_bend_length;               ///< curvature = angle / this [m]: the spacing, unless
+                                      ///< the edge of a clamp is near
   std::vector<Vec2> outline;          ///< polygon, counter-clockwise, material coordinates [m]
   std::vector<MaterialPoint> border;  ///< along the outline in its order: yarn crossings and corners
 

@@ -33,12 +33,11 @@ struct ClothPieceSpec {
 /// Smaller: outer slots with next to no mass; larger: a rougher border. From the drape study, with 0.1.
 inline constexpr double kLeastCellShare = 0.1;
 
-/// Limits of the factor 1 / (1/2 - s) on the stiffness of a triple that a clamp edge cuts, and of 1 / f on
-/// the twist of a cell of which the part f is free [-]. A smaller upper limit makes the clamp too soft
-/// wherever it lies just before the middle between two slots: with 4 the annulus of
-/// docs/theory/cloth-pieces.md comes out up to 5.5 % too soft at 10 mm, with 20 it stays within 1.6 %.
+/// Limits of the factor by which a triple at the edge of a clamp is stiffer, and of 1 / f on the twist of a
+/// cell of which the part f is free [-]. The upper one is what a straight edge across the yarns needs; with 4
+/// the annulus of docs/theory/cloth-pieces.md comes out up to 5.5 % too soft at 10 mm.
 inline constexpr double kLeastClampFactor = 0.7;
-inline constexpr double kMostClampFactor = 20.0;
+inline constexpr double kMostClampFactor = 24.0;
 
 /// Most slots on a side of a lattice.
 inline constexpr int kMostSlotsASide = 4096;
