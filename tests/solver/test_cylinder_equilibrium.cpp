@@ -123,10 +123,10 @@ TEST_SUITE("analytic") {
       CHECK(find_cylinder_equilibrium(model, material, Direction::kWarp, state, options).converged);
       errors.push_back(tip(model, Direction::kWarp, state).y() / (0.01 / 8.0) - 1.0);
     }
-    // The closed form is that of the limit of no load: at 0.01 it is 3e-6 off, the coarsest strip 1 %.
+    // The closed form is that of the limit of no load: at 0.01 it is 3e-6 off. What is left of the lattice's
+    // error changes its sign on the way; a curve of order 2 lies above it.
     MESSAGE("errors ", errors[0], ", ", errors[1], ", ", errors[2]);
-    CHECK(convergence_order(errors) > 1.9);
-    CHECK(std::abs(errors[2]) < 1e-3);
+    for (std::size_t i = 0; i < errors.size(); ++i) CHECK(std::abs(errors[i]) < 1e-4 * std::pow(4.0, 2.0 - static_cast<double>(i)));
   }
 }
 

@@ -159,10 +159,19 @@ TEST_SUITE("analytic") {
     const ClampReading r = solver.read(clamp);
     // 1e-6: the rational arc tangent of the curvature at 0.2 rad a segment (docs/theory/engine.md).
     CHECK(-r.moment.x() / kWidth == doctest::Approx(kB * curvature).epsilon(1e-6));
-    // The chain of chords of h lies on a circle larger by (h K / 2)^2 / 6.
-    const double larger = 0.5 * kH * curvature / std::sin(0.5 * kH * curvature);
-    CHECK(kLength + r.shift.y() == doctest::Approx(larger * std::sin(angle) / curvature).epsilon(1e-5));
-    CHECK(r.shift.z() == doctest::Approx(larger * (1.0 - std::cos(angle)) / curvature).epsilon(1e-5));
+    // The chain of edges, turned in each triple by what it bends.
+    const int column = model.columns / 2;
+    double turn = 0.0;
+    Vec2 end = Vec2::Zero();
+    for (int row = 2; row + 3 < model.rows; ++row) {
+      turn += curvature * model.warp_bend_length[static_cast<Index>(model.slot(column, row))];
+      end += kH * Vec2(std::cos(turn), std::sin(turn));
+    }
+    CHECK(kLength + r.shift.y() == doctest::Approx(end.x()).epsilon(1e-5));
+    CHECK(r.shift.z() == doctest::Approx(end.y()).epsilon(1e-5));
+    // It is the arc to second order.
+    const double arc = std::hypot(std::sin(angle), 1.0 - std::cos(angle)) / curvature;
+    CHECK(end.norm() == doctest::Approx(arc).epsilon(0.05 * std::pow(kH * curvature, 2)));
     CHECK(r.force.norm() < 1e-9);  // StaticOptions::least_force
   }
 
