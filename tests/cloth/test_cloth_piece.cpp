@@ -121,9 +121,9 @@ TEST_SUITE("unit") {
 
   TEST_CASE("clamps: the free part of a triple at the edge of a half plane") {
     struct Case {
-      double edge;   // [cells]
-      int fixed;     // columns
-      double s;      // edge beyond the last fixed column, which is less than half a cell outside
+      double edge;  // [cells]
+      int fixed;    // columns
+      double s;     // edge beyond the last fixed column, which is less than half a cell outside
     };
     for (const Case& c : {Case{4.0, 5, 0.0}, Case{4.2, 5, 0.2}, Case{4.4, 5, 0.4}, Case{4.5, 5, 0.5},
                           Case{4.7, 6, -0.3}, Case{4.501, 6, -0.499}}) {
@@ -138,8 +138,8 @@ TEST_SUITE("unit") {
         CAPTURE(degree);
         double sum = 0.0;
         for (int i = 0; i < 4; ++i) sum += length(i) * std::pow(i, degree);
-        // Up to the middle between the fourth and the fifth, where the sum itself is a trapezoidal one: its far
-        // end adds -h^2/24 f'.
+        // Up to the middle between the fourth and the fifth, where the sum itself is a trapezoidal one: its
+        // far end adds -h^2/24 f'.
         const double far = std::pow(3.5, degree + 1) / (degree + 1),
                      near = std::pow(c.s, degree + 1) / (degree + 1);
         const double far_end = degree == 0 ? 0.0 : degree * std::pow(3.5, degree - 1) / 24.0;

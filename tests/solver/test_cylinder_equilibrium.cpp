@@ -126,7 +126,8 @@ TEST_SUITE("analytic") {
     // The closed form is that of the limit of no load: at 0.01 it is 3e-6 off. What is left of the lattice's
     // error changes its sign on the way; a curve of order 2 lies above it.
     MESSAGE("errors ", errors[0], ", ", errors[1], ", ", errors[2]);
-    for (std::size_t i = 0; i < errors.size(); ++i) CHECK(std::abs(errors[i]) < 1e-4 * std::pow(4.0, 2.0 - static_cast<double>(i)));
+    for (std::size_t i = 0; i < errors.size(); ++i)
+      CHECK(std::abs(errors[i]) < 1e-4 * std::pow(4.0, 2.0 - static_cast<double>(i)));
   }
 }
 

@@ -130,7 +130,8 @@ void cut_direction(std::span<const Clamp> clamps, ClothModel& model, const YarnA
     std::array<double, 3> shares = end_shares(exit / model.spacing, next);
     shares[0] = std::clamp(1.0 + shares[0], 1.0 / kMostClampFactor, 1.0 / kLeastClampFactor) - 1.0;
     for (int i = 0; i <= next; ++i)
-      add_bend_length(yarns, at(slot + i * outward_step), shares[static_cast<std::size_t>(i)] * model.spacing);
+      add_bend_length(yarns, at(slot + i * outward_step),
+                      shares[static_cast<std::size_t>(i)] * model.spacing);
   }
 }
 

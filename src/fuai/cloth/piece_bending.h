@@ -20,8 +20,8 @@ bool fill_bending(const Polygon& outline, ClothModel& model);
 /// Thread class: set-up.
 bool clamp_holds(const Clamp& clamp, const ClothModel& model, int slot);
 
-/// Length and area of the triples in fixed slots whose yarn leaves a sub-cell clamp on one side, and of the two
-/// next to them, so that they sum curvature from the edge on to third order. Thread class: set-up.
+/// Length and area of the triples in fixed slots whose yarn leaves a sub-cell clamp on one side, and of the
+/// two next to them, so that they sum curvature from the edge on to third order. Thread class: set-up.
 void cut_bending_at_clamps(std::span<const Clamp> clamps, ClothModel& model);
 
 /// Twist areas: those of the cells, over the free share of cells that a sub-cell clamp holds in part.
