@@ -148,6 +148,10 @@ int run_view(const Console& console, const ViewOptions& options) {
                          .set("shown", force.text));
   json.set("forces", std::move(forces));
   if (!result.device.empty())
+  JsonValue::Array messages;
+  for (const SaidMessage& message : result.messages)
+    messages.push_back(JsonValue().set("text", message.text).set("bad", message.bad));
+  json.set("messages", std::move(messages));
     json.set("device", result.device)
         .set("overruns", static_cast<std::int64_t>(result.overruns))
         .set("device_force_peak_N", result.device_force);

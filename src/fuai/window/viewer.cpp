@@ -94,6 +94,7 @@ class Viewer {
       result.replay_hashes = state_.replay->hashes;
       result.replay_matches = state_.replay->first_difference < 0;
     }
+    result.messages.assign(state_.said.begin(), state_.said.end());
     result.renderer = screen_->renderer();
     keep_settings();
     return result;

@@ -32,7 +32,7 @@ bool try_files(ViewerState& state, const Work& work) {
     work();
     return true;
   } catch (const Error& e) {
-    state.say(e.what(), true);
+    state.say(state.text(e), true);
     return false;
   }
 }

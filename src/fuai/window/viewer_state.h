@@ -17,6 +17,7 @@
 #include "fuai/window/device_hand.h"
 #include "fuai/window/fabric_choice.h"
 #include "fuai/window/first_steps.h"
+#include "fuai/window/error_text.h"
 #include "fuai/window/hand_book.h"
 #include "fuai/window/key_table.h"
 #include "fuai/window/orbit_camera.h"
@@ -49,6 +50,9 @@ struct Message {
 /// What the user holds besides the mouse.
 struct ShownDevice {
   std::string asked;  ///< empty: nothing
+/// Of how many messages the newest are remembered.
+inline constexpr std::size_t kMostSaid = 100;
+
   std::string model;  ///< empty: it is not there
   bool gives_force = false;
   DeviceView view;
@@ -136,6 +140,7 @@ struct ViewerState {
   bool loops_near = false;  ///< the axes of the live loops reach as far as the cloth, else the instrument
   bool browsing = false;    ///< the file panel is open
   std::string browse_folder;
+  std::deque<SaidMessage> said;          ///< the newest of all
   std::uint64_t built_version = 0;  ///< of the document, that `cloths` were built for
   ViewSetup built;                  ///< that setup: what is seen; the document may be a change ahead
   FirstSteps steps;                 ///< of a newcomer
@@ -152,10 +157,13 @@ struct ViewerState {
 };
 
 /// How many seconds the force plots show.
+  std::string text(const Error& error) const { return error_text(error, settings.language); }
 inline constexpr double kForceSeconds = 10.0;
 
 /// The panels, each in a file of its own. They draw with ImGui and change the state. Thread class: the
 /// window's.
+    said.push_back({text, bad});
+    if (said.size() > kMostSaid) said.pop_front();
 void draw_menu(ViewerState& state);
 void draw_fabric_panel(ViewerState& state);
 void draw_plots_panel(ViewerState& state);

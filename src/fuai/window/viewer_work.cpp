@@ -47,7 +47,7 @@ bool same_lattice(const ViewSetup& a, const ViewSetup& b) {
 }
 
 void tell_refusal(ViewerState& state, const Error& e) {
-  state.say(std::string(state.text(TextId::kNotOpened)) + ": " + e.what() + " (" +
+  state.say(std::string(state.text(TextId::kNotOpened)) + ": " + state.text(e) + " (" +
                 state.text(TextId::kNothingChanged) + ")",
             true);
 }
@@ -164,7 +164,7 @@ bool follow_document(ViewerState& state) {
     state.replay.reset();  // a change of the user's ends it
     return true;
   } catch (const Error& e) {
-    state.say(std::string(e.what()) + " (" + state.text(TextId::kNothingChanged) + ")", true);
+    state.say(state.text(e) + " (" + state.text(TextId::kNothingChanged) + ")", true);
     state.document.change(state.built);  // what is seen
     state.built_version = state.document.version();
     study_fabrics(state);
@@ -232,7 +232,7 @@ std::string lay_texture(ViewerState& state, const std::string& path, double widt
     state.texture_width = width;
     return {};
   } catch (const Error& e) {
-    state.say(e.what(), true);
+    state.say(state.text(e), true);
     return e.what();
   }
 }
