@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <span>
 #include <vector>
 
 #include "fuai/cloth/piece_mesh.h"
@@ -198,6 +199,9 @@ std::vector<ScreenTile> make_tiles(const ViewBox& box, std::size_t count);
 /// Where a point of the scene is in a tile [pixel of the screen]; depth in z, negative behind the eye.
 Vec3 to_screen(const ViewerState& state, const ScreenTile& tile, const Vec3& point);
 /// "B warp", the direction in the language of the window.
+/// So many of these lines, from the first, fit over the cloths without hiding more of them than they may.
+/// @param heights of the lines, each with all before it [pixel]
+std::size_t lines_that_fit(const ViewBox& view, std::span<const float> heights);
 std::string number_name(const ViewerState& state, const FabricNumber& number);
 /// Newtons and gram-force, always both: "0.123 N  12.5 gf".
 std::string force_text(double newtons);
