@@ -192,20 +192,22 @@ void restart_cloths(ViewerState& state) {
   state.forces.clear();
 }
 
-void take_snapshot(ViewerState& state) {
+bool take_snapshot(ViewerState& state) {
   state.session->show_field(state.settings.heat_map);
-  if (!state.session->fetch()) return;
+  if (!state.session->fetch()) return false;
   const ViewSnapshot& snapshot = state.snapshot();
-  if (snapshot.cloths.size() != state.meshes.size()) return;  // of cloths that were replaced
+  if (snapshot.cloths.size() != state.meshes.size()) return true;  // of cloths that were replaced
   for (std::size_t i = 0; i < state.meshes.size(); ++i) {
     const ClothView& view = snapshot.cloths[i];
-    if (view.positions.size() != static_cast<std::size_t>(state.cloths->scene(i).model.slot_count())) return;
+    if (view.positions.size() != static_cast<std::size_t>(state.cloths->scene(i).model.slot_count()))
+      return true;
     update_piece_mesh(state.meshes[i], view.positions);
     state.vertex_values[i].clear();
     if (!view.field.empty()) spread_values(state.meshes[i], view.field, state.vertex_values[i]);
   }
   state.hands.follow(snapshot);
   remember_forces(state);
+  return true;
 }
 
 void frame_view(ViewerState& state) {
