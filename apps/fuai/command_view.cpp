@@ -136,6 +136,7 @@ int run_view(const Console& console, const ViewOptions& options) {
   JsonValue json;
   json.set("seconds", result.seconds)
       .set("pictures", result.pictures)
+      .set("paused_pictures", result.paused_pictures)
       .set("picture_ms", result.picture_ms)
       .set("paint_ms", result.paint_ms)
       .set("renderer", result.renderer)
@@ -147,6 +148,10 @@ int run_view(const Console& console, const ViewOptions& options) {
                          .set("hand", force.hand)
                          .set("shown", force.text));
   json.set("forces", std::move(forces));
+  JsonValue::Array messages;
+  for (const SaidMessage& message : result.messages)
+    messages.push_back(JsonValue().set("text", message.text).set("bad", message.bad));
+  json.set("messages", std::move(messages));
   if (!result.device.empty())
     json.set("device", result.device)
         .set("overruns", static_cast<std::int64_t>(result.overruns))

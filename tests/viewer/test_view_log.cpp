@@ -126,10 +126,12 @@ TEST_SUITE("determinism") {
     setup.felt = true;
     Table table(setup);
     ViewLogWriter log(path, setup);
+    CHECK(!log.begun());
     table.session.send(grab(15, {0.04, 0.02}, {0.04, -0.06, 0.0}));
     table.session.send(move(15, {0.05, -0.05, 0.01}));
     table.play_to(250);
     write(table, log);
+    CHECK(log.begun());
     const std::vector<ViewLogPart> parts = read_view_log(path);
     REQUIRE(parts.size() == 1);
     CHECK(parts[0].setup.felt);

@@ -119,6 +119,37 @@ TEST_SUITE("determinism") {
     CHECK(a.size() == b.size());
   }
 
+  TEST_CASE("each of several steps back and forth between two rounds counts") {
+    Table table(small_setup());
+    table.handle(0, 800);
+    table.session.play(false);
+    const auto after = [&](const char* keys) {
+      table.seek(700);
+      for (const char* key = keys; *key != 0; ++key) {
+        if (*key == '<') table.session.step_back(1);
+        if (*key == '>') table.session.single_steps(1);
+        if (*key == 'L') table.session.step_back(100);
+      }
+      for (int i = 0; i < 200; ++i) table.round();
+      if (const auto known = table.hashes.find(table.session.ticks()); known != table.hashes.end())
+        CHECK(table.session.state_hash() == known->second);
+      return table.session.ticks();
+    };
+    CHECK(after("<") == 699);
+    CHECK(after("<<<") == 697);
+    CHECK(after("<<><") == 698);
+    CHECK(after(">><") == 701);
+    CHECK(after("><<<") == 698);
+    CHECK(after("LLL") == 400);
+    CHECK(after("LLLLLLLLLL") == table.session.snapshot().first_tick);
+    // Where nothing was done yet, steps that wait are taken back.
+    table.seek(800);
+    table.session.single_steps(5);
+    table.session.step_back(2);
+    for (int i = 0; i < 10; ++i) table.round();
+    CHECK(table.session.ticks() == 803);
+  }
+
   TEST_CASE("going back and doing something else is as if it had been done so at once") {
     const ViewSetup setup = small_setup();
     Table regretful(setup);

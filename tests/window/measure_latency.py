@@ -1,4 +1,5 @@
-"""Measures for docs/viewer.md: start to the first moving picture, input to picture, ticks a second. No test.
+"""Measures for docs/viewer.md: start to the first moving picture, input to picture, ticks a second, what a pause costs.
+No test.
 
     FUAI_PROGRAM=build/release/bin/fuai python3 tests/window/measure_latency.py
 
@@ -9,6 +10,7 @@ SPDX-License-Identifier: Apache-2.0
 """
 import json
 import mmap
+import os
 import pathlib
 import random
 import shutil
@@ -22,6 +24,7 @@ from window_driver import PROGRAM, Display, wait_for
 
 WIDTH, HEIGHT = 1280, 720
 TURNS = 40
+REST = 10.0  # seconds of pause
 CLOTH_COLOURS = 100  # in the rows that are looked at: a shaded cloth, no empty window
 
 
@@ -63,6 +66,18 @@ def last_tick(record):
     return int([line for line in record.read_text().splitlines() if " hash " in line][-1].split()[0])
 
 
+def cpu_seconds(pid):
+    """User and system, of all threads."""
+    words = pathlib.Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+    return (int(words[11]) + int(words[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def cost(pid):
+    before = cpu_seconds(pid)
+    time.sleep(REST)
+    return cpu_seconds(pid) - before
+
+
 def measure(*words):
     folder = pathlib.Path(tempfile.mkdtemp())
     display = Display(folder)
@@ -82,7 +97,10 @@ def measure(*words):
         ticks, began = last_tick(record), time.monotonic()
         time.sleep(5.0)
         rate = (last_tick(record) - ticks) / (time.monotonic() - began)
+        playing = cost(view.pid)
         do(environment, "key", "space")
+        time.sleep(2.0)
+        paused = cost(view.pid)
         do(environment, "mousemove", 880, 600, "mousedown", 3)
         time.sleep(1.5)
         times = []
@@ -100,7 +118,8 @@ def measure(*words):
         print(f"{' '.join(words) or 'no words'}: first picture after {shown - start:.2f} s, moving after "
               f"{moved - start:.2f} s; input to picture {statistics.median(times):.0f} ms (most {max(times):.0f}), a "
               f"picture takes {picture:.0f} ms: {statistics.median(times) / picture:.2f} pictures (most "
-              f"{max(times) / picture:.2f}); {rate:.0f} ticks a second")
+              f"{max(times) / picture:.2f}); {rate:.0f} ticks a second; in {REST:.0f} s {playing:.2f} s of "
+              f"the processor while it plays, {paused:.2f} s paused")
     finally:
         display.stop()
         shutil.rmtree(folder)

@@ -85,6 +85,17 @@ TEST_SUITE("property") {
     }
   }
 
+  TEST_CASE("Lines of the hint hide a fifth of the view at most") {
+    const std::array heights{20.0F, 40.0F, 60.0F};
+    const auto fit = [&](float height) { return lines_that_fit({0.0F, 0.0F, 400.0F, height}, heights); };
+    CHECK(fit(60.0F) == 0);
+    CHECK(fit(99.0F) == 0);
+    CHECK(fit(101.0F) == 1);
+    CHECK(fit(299.0F) == 2);
+    CHECK(fit(301.0F) == 3);
+    CHECK(lines_that_fit({0.0F, 0.0F, 400.0F, 300.0F}, {}) == 0);
+  }
+
   TEST_CASE("A small window leaves out what could not be read") {
     ViewerState state(make_view_setup("hanging_sheet", {"wool-tropical"}, {}));
     const auto widths = [&](float width, float height) {

@@ -123,6 +123,8 @@ void ViewLogWriter::announce(std::uint64_t build, const ViewSetup& setup) {
   parts_->announced.insert_or_assign(build, setup);
 }
 
+bool ViewLogWriter::begun() const noexcept { return parts_->began; }
+
 void ViewLogWriter::write(const std::vector<ViewEvent>& events, std::int64_t rewound_to) {
   Parts& p = *parts_;
   std::string text;

@@ -35,6 +35,8 @@ class ViewLogWriter {
   void write(const std::vector<ViewEvent>& events, std::int64_t rewound_to);
   /// The setup behind a build of ViewSession, to be told before the events are written that say it took over.
   void announce(std::uint64_t build, const ViewSetup& setup);
+  /// Whether what it waits for has come: before that there is nothing to be done again.
+  bool begun() const noexcept;
 
  private:
   struct Parts;

@@ -19,11 +19,11 @@ inline constexpr std::size_t kMostOrders = 4096, kMostNotes = std::size_t{1} << 
 
 /// From the screen to the cloth.
 struct Order {
-  enum class Kind : std::uint8_t { kCommand, kPlay, kSteps, kSeek };
+  enum class Kind : std::uint8_t { kCommand, kPlay, kSteps, kSeek, kBack };
   Kind kind = Kind::kCommand;
   ViewCommand command;
   std::uint64_t build = 0;  ///< kCommand: the newest that the screen had asked for
-  std::int64_t number = 0;  ///< kPlay: 0 or 1, kSteps: how many, kSeek: tick
+  std::int64_t number = 0;  ///< kPlay: 0 or 1, kSteps and kBack: how many, kSeek: tick
 };
 
 /// From the cloth to the screen.

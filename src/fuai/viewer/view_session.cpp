@@ -96,7 +96,8 @@ void ViewSession::Parts::adopt() {
 void ViewSession::Parts::obey() {
   while (const Order* order = orders.front()) {
     // While it seeks, only another aim of the seek is taken: the rest waits until it is there.
-    if (target >= 0 && order->kind != Order::Kind::kSeek) return;
+    const bool seeks = order->kind == Order::Kind::kSeek || order->kind == Order::Kind::kBack;
+    if (target >= 0 && !seeks) return;
     const Order taken = *order;
     orders.pop();
     take(taken);
@@ -119,6 +120,8 @@ void ViewSession::Parts::take(const Order& order) {
       return;
     case Order::Kind::kSeek:
       return start_seek(order.number);
+    case Order::Kind::kBack:
+      return step_back(order.number);
   }
 }
 
@@ -149,6 +152,14 @@ void ViewSession::Parts::start_seek(std::int64_t to) {
   stage->restore(kept);
   tick = kept.tick;
   redo_events();
+}
+
+/// Steps that are still to be done are the first that it takes back.
+void ViewSession::Parts::step_back(std::int64_t ticks) {
+  if (target < 0 && steps >= ticks)
+    steps -= ticks;
+  else
+    start_seek((target >= 0 ? target : tick + steps) - ticks);
 }
 
 /// The commands of the tick that the stage has come to again.

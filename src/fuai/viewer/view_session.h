@@ -192,6 +192,8 @@ class ViewSession {
   /// Goes back (or forward to what was done before) to a tick, and pauses there; the commands after it are
   /// forgotten once the user does something or plays on. Clamped to [first_tick, newest_tick].
   void seek(std::int64_t tick) noexcept;
+  /// The same, so many ticks back from where earlier orders lead: each of several counts.
+  void step_back(int ticks) noexcept;
   /// Takes the newest snapshot. @return whether there is a new one.
   bool fetch() noexcept;
   /// Valid until the next fetch(), from the beginning on.

@@ -78,6 +78,7 @@ struct ViewSession::Parts {
   void take(const view_orders::Order& order);
   void command(const ViewCommand& command);
   void start_seek(std::int64_t to);
+  void step_back(std::int64_t ticks);
   void go_on_seeking();
   void redo_events() noexcept;
   void begin_script(std::shared_ptr<const ViewScript>& next) noexcept;

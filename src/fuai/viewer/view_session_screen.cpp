@@ -28,6 +28,10 @@ void ViewSession::seek(std::int64_t tick) noexcept {
   parts_->orders.push({Order::Kind::kSeek, {}, 0, std::max<std::int64_t>(tick, 0)});
 }
 
+void ViewSession::step_back(int ticks) noexcept {
+  parts_->orders.push({Order::Kind::kBack, {}, 0, std::max(ticks, 0)});
+}
+
 void ViewSession::feel(std::size_t cloth) noexcept { parts_->felt.store(cloth, std::memory_order_relaxed); }
 
 void ViewSession::show_field(int field) noexcept {

@@ -1,6 +1,7 @@
 // What each key and menu entry does.
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <utility>
 
 #include "fuai/window/viewer_replay.h"
 #include "fuai/window/viewer_state.h"
@@ -39,8 +40,8 @@ void step(ViewerState& state, int ticks) {
 }
 
 void step_back(ViewerState& state, int ticks) {
-  set_playing(state, false);
-  state.session->seek(state.snapshot().tick - ticks);
+  if (state.playing) set_playing(state, false);
+  state.session->step_back(ticks);
 }
 
 /// The bundled fabric after the last one that is shown.
@@ -66,6 +67,17 @@ void feel(ViewerState& state, std::size_t cloth) {
 }
 
 }  // namespace
+
+void ViewWishes::one_done() noexcept {
+  ViewWishes left;
+  left.quit = quit;
+  left.full_screen = std::max(full_screen - 1, 0);
+  left.screenshot = std::max(screenshot - 1, 0);
+  left.video = std::max(video - 1, 0);
+  left.record = std::max(record - 1, 0);
+  left.save = std::max(save - 1, 0);
+  *this = std::move(left);
+}
 
 void act(ViewerState& state, KeyAction action) {
   ViewSettings& s = state.settings;
@@ -147,16 +159,16 @@ void act(ViewerState& state, KeyAction action) {
       s.plots = !s.plots;
       break;
     case KeyAction::kFullScreen:
-      w.full_screen = true;
+      ++w.full_screen;
       break;
     case KeyAction::kScreenshot:
-      w.screenshot = true;
+      ++w.screenshot;
       break;
     case KeyAction::kVideo:
-      w.video = true;
+      ++w.video;
       break;
     case KeyAction::kRecord:
-      w.record = true;
+      ++w.record;
       break;
     case KeyAction::kUndo:
       state.document.undo();
@@ -165,7 +177,7 @@ void act(ViewerState& state, KeyAction action) {
       state.document.redo();
       break;
     case KeyAction::kSave:
-      w.save = true;
+      ++w.save;
       break;
     case KeyAction::kOpen:
       state.browsing = !state.browsing;

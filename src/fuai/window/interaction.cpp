@@ -16,6 +16,11 @@ constexpr double kNear = 14.0;
 /// A notch of the wheel moves a grab by this part of its distance from the eye.
 constexpr double kWheelStep = 0.02;
 
+/// Buttons, as GLFW and ImGui number them.
+constexpr std::size_t kLeft = 0, kRight = 1, kMiddle = 2;
+
+Vec2 place_of(const std::array<double, 2>& pixel) { return {pixel[0], pixel[1]}; }
+
 Vec2 mouse_place() {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   return {static_cast<double>(mouse.x), static_cast<double>(mouse.y)};
@@ -69,7 +74,7 @@ std::optional<ClothHit> cloth_at(const ViewerState& state, std::size_t tile, con
 void press_left(ViewerState& state, std::size_t tile, const Vec2& pixel, bool stays) {
   const int near = hand_near(state, tile, pixel);
   const std::optional<ClothHit> hit = cloth_at(state, tile, pixel);
-  if (ImGui::IsMouseDoubleClicked(0) || state.left_presses > 1) {
+  if (ImGui::IsMouseDoubleClicked(0) || state.buttons[kLeft].presses > 1) {
     if (near >= 0)
       state.hands.release(*state.session, near);
     else if (hit)
@@ -113,27 +118,58 @@ void click_again(ViewerState& state) {
   if (pins) state.hands.grab(*state.session, held.cloth, held.material, held.target, true);
 }
 
-void drag_camera(ViewerState& state) {
-  const ImVec2 delta = ImGui::GetIO().MouseDelta;
-  const Vec2 move(static_cast<double>(delta.x), static_cast<double>(delta.y));
+void drag_camera(ViewerState& state, const Vec2& move) {
   const double height = state.tiles[state.drag.tile].height;
   if (state.drag.kind == Drag::Kind::kOrbit) state.camera.orbit(move, height);
   if (state.drag.kind == Drag::Kind::kPan) state.camera.pan(move, height);
 }
 
-void press(ViewerState& state, std::size_t tile, const Vec2& pixel) {
+/// Where a drag went since the last picture: to the cursor, or to where the button was let go before.
+Vec2 drag_end(const ViewerState& state, const Vec2& pixel) {
+  const ButtonTrail& trail = state.buttons[state.drag.button];
+  return trail.let_go ? place_of(trail.let_go_at) : pixel;
+}
+
+/// Which button was pressed; kMouseButtons: none.
+std::size_t pressed_button() {
+  for (const std::size_t button : {kMiddle, kRight, kLeft})
+    if (ImGui::IsMouseClicked(static_cast<int>(button))) return button;
+  return kMouseButtons;
+}
+
+/// What was pressed begins a drag. Between two slow pictures a quick hand goes far, and may be done already:
+/// what it pressed counts, then where it went, as far as where it let go.
+void press(ViewerState& state, std::size_t button, std::size_t tile, const Vec2& from, const Vec2& pixel) {
   const bool shift = ImGui::GetIO().KeyShift;
-  if (ImGui::IsMouseClicked(0)) {
-    // Between two slow pictures a quick hand goes far: what it pressed counts, then where it went.
-    const bool went =
-        state.left_presses > 0 && state.press_place != pixel && inside(state.tiles[tile], state.press_place);
-    press_left(state, tile, went ? state.press_place : pixel, shift);
-    if (went && state.drag.kind == Drag::Kind::kHand) drag_hand(state, pixel, true, 0.0);
-  }
-  if (ImGui::IsMouseClicked(2) || (ImGui::IsMouseClicked(1) && shift))
-    state.drag = {Drag::Kind::kPan, -1, tile, false};
-  else if (ImGui::IsMouseClicked(1))
-    state.drag = {Drag::Kind::kOrbit, -1, tile, false};
+  if (button == kLeft)
+    press_left(state, tile, from, shift);
+  else
+    state.drag = {button == kMiddle || shift ? Drag::Kind::kPan : Drag::Kind::kOrbit, -1, tile, false};
+  if (state.drag.kind == Drag::Kind::kNone) return;
+  state.drag.button = button;
+  state.drag.let_go = state.buttons[button].let_go;
+  const Vec2 to = drag_end(state, pixel);
+  if (to == from) return;
+  if (state.drag.kind == Drag::Kind::kHand)
+    drag_hand(state, to, true, 0.0);
+  else
+    drag_camera(state, to - from);
+}
+
+/// The drag that goes on, and its end.
+void drag_on(ViewerState& state, const Vec2& pixel, double wheel) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const Vec2 delta(static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y));
+  const Vec2 to = drag_end(state, pixel), move = to - (pixel - delta);
+  Drag& drag = state.drag;
+  // Let go with the picture before, the drag went where it went then, unless the button is down once more.
+  if (state.buttons[drag.button].presses > 0) drag.let_go = false;
+  if (!drag.let_go && drag.kind == Drag::Kind::kHand) drag_hand(state, to, move != Vec2::Zero(), wheel);
+  if (!drag.let_go && drag.kind != Drag::Kind::kHand) drag_camera(state, move);
+  if (io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2]) return;
+  if (drag.kind == Drag::Kind::kHand && !drag.stays && !io.KeyShift)
+    state.hands.release(*state.session, drag.hand);
+  drag = {};
 }
 
 }  // namespace
@@ -152,28 +188,23 @@ void handle_mouse(ViewerState& state) {
       !io.MouseDown[2])
     state.drag = {};
   if (state.drag.kind == Drag::Kind::kNone) {
-    const int tile = tile_at(state, pixel);
+    const std::size_t button = pressed_button();
+    const bool told = button < kMouseButtons && state.buttons[button].presses > 0;
+    const Vec2 place = told ? place_of(state.buttons[button].pressed_at) : pixel;
+    const int tile = tile_at(state, place);
     if (io.WantCaptureMouse || tile < 0) return;
-    press(state, static_cast<std::size_t>(tile), pixel);
+    if (button < kMouseButtons) press(state, button, static_cast<std::size_t>(tile), place, pixel);
     if (state.drag.kind == Drag::Kind::kNone && wheel != 0.0) {
       const ScreenTile& t = state.tiles[static_cast<std::size_t>(tile)];
       state.camera.zoom(wheel, place_in(t, pixel), aspect_of(t));
     }
     return;
   }
-  if (state.drag.kind == Drag::Kind::kHand && state.left_presses > 0) {
+  if (state.drag.kind == Drag::Kind::kHand && state.buttons[kLeft].presses > 0) {
     click_again(state);
     return;
   }
-  if (state.drag.kind == Drag::Kind::kHand)
-    drag_hand(state, pixel, io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F, wheel);
-  else
-    drag_camera(state);
-  if (!io.MouseDown[0] && !io.MouseDown[1] && !io.MouseDown[2]) {
-    if (state.drag.kind == Drag::Kind::kHand && !state.drag.stays && !io.KeyShift)
-      state.hands.release(*state.session, state.drag.hand);
-    state.drag = {};
-  }
+  drag_on(state, pixel, wheel);
 }
 
 void handle_keys(ViewerState& state, const std::vector<KeyPress>& keys) {

@@ -12,6 +12,8 @@ namespace {
 
 /// Of the window [heights of a letter].
 constexpr float kLeastWidthForNumbers = 30.0F, kLeastWidthForPlots = 50.0F, kLeastHeightForPlots = 30.0F;
+/// Of the height of the view, that a hint may hide.
+constexpr float kMostHint = 0.2F;
 
 }  // namespace
 
@@ -33,6 +35,11 @@ ViewLayout lay_out(const ViewerState& state) {
   layout.time = {0.0F, size.y - bottom, size.x, bottom};
   layout.view = {left, top, std::max(size.x - left - right, 1.0F), height};
   return layout;
+}
+
+std::size_t lines_that_fit(const ViewBox& view, std::span<const float> heights) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(heights, [&](float height) { return height <= kMostHint * view.height; }));
 }
 
 bool begin_panel(const char* name, const ViewBox& box, bool scrolls) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string>
+#include <vector>
 
 #include "fuai/experiments/scene_pictures.h"
 #include "fuai/picture/plot_axis.h"
@@ -183,19 +185,26 @@ void draw_colour_bar(const ViewerState& state, ImDrawList& list) {
 void draw_notes(const ViewerState& state, ImDrawList& list) {
   if (state.tiles.empty()) return;
   const float em = ImGui::GetFontSize();
+  const float rim = 0.3F * em;
   const ViewBox view = lay_out(state).view;
   const auto centred = [&](const char* text, float y, ImU32 colour) {
     const ImVec2 size = ImGui::CalcTextSize(text, nullptr, false, view.width - 2.0F * em);
     const float x = view.left + 0.5F * (view.width - size.x);
-    list.AddRectFilled({x - 0.6F * em, y - 0.3F * em}, {x + size.x + 0.6F * em, y + size.y + 0.3F * em},
+    list.AddRectFilled({x - 0.6F * em, y - rim}, {x + size.x + 0.6F * em, y + size.y + rim},
                        ImGui::GetColorU32(ImGuiCol_WindowBg), 4.0F);
     list.AddText(nullptr, 0.0F, {x, y}, colour, text, nullptr, view.width - 2.0F * em);
     return size.y + 0.9F * em;
   };
   float y = view.top + view.height - 2.2F * em;
-  std::string hint;
-  for (const TextId line : state.steps.lines())
-    hint += (hint.empty() ? "" : "\n") + std::string(state.text(line));
+  std::vector<std::string> hints;  // each with the lines before it
+  std::vector<float> heights;
+  for (const TextId line : state.steps.lines()) {
+    hints.push_back((hints.empty() ? "" : hints.back() + "\n") + state.text(line));
+    heights.push_back(ImGui::CalcTextSize(hints.back().c_str(), nullptr, false, view.width - 2.0F * em).y +
+                      2.0F * rim);
+  }
+  const std::size_t fitting = lines_that_fit(view, heights);
+  const std::string hint = fitting > 0 ? hints[fitting - 1] : "";
   if (!hint.empty()) {
     const ImVec2 size = ImGui::CalcTextSize(hint.c_str(), nullptr, false, view.width - 2.0F * em);
     y -= centred(hint.c_str(), y - size.y + em, ImGui::GetColorU32(ImGuiCol_Text));

@@ -19,7 +19,7 @@ void read_fabrics(ViewerState& state) {
     try {
       state.choice.fabrics.push_back(make_fabric_choice(id));
     } catch (const Error& e) {
-      state.say(e.what(), true);
+      state.say(state.text(e), true);
     }
   }
 }

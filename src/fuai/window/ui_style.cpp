@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "fuai/units/kes.h"
+#include "fuai/window/error_text.h"
 #include "fuai/window/ui_text.h"
 
 namespace fuai {
@@ -58,6 +59,7 @@ std::string load_fonts(float size, const std::string& more) {
     builder.AddText(text.english);
     builder.AddText(text.japanese);
   }
+  for (const ErrorSentence& sentence : error_sentences()) builder.AddText(sentence.japanese);
   for (const KesQuantity& q : kes_quantities())
     builder.AddText(q.name_ja.data(), q.name_ja.data() + q.name_ja.size());
   static ImVector<ImWchar> ranges;  // the atlas reads it until it is built, and does not copy it

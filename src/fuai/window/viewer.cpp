@@ -15,6 +15,7 @@
 #include "fuai/io/text_file.h"
 #include "fuai/runtime/paced_thread.h"
 #include "fuai/window/kept_settings.h"
+#include "fuai/window/paint_pace.h"
 #include "fuai/window/ui_style.h"
 #include "fuai/window/viewer_device.h"
 #include "fuai/window/viewer_files.h"
@@ -28,6 +29,10 @@ namespace {
 
 /// Without a cloth's thread a picture's time is stepped at a time [ticks].
 constexpr int kTicksAPicture = 16;
+/// At rest the window looks so often whether the cloths have something new, or somebody ends it [s].
+constexpr double kLook = 0.01;
+/// The cursor in a text blinks, and a folder that is looked at may change [s].
+constexpr double kBlink = 0.5;
 
 double now_ms() { return 1e-3 * PacedThread::now_us(); }
 
@@ -67,6 +72,7 @@ class Viewer {
     begin_session(state_);
     device_.open(options_, steps_itself());
     screen_ = std::make_unique<ViewerScreen>(options_, state_);
+    pace_ = PaintPace(screen_->host().rate());
     files_ = std::make_unique<ViewerFiles>(options_.folder, options_.version);
     if (!options.record.empty()) files_->start_recording(state_, options.record);
     if (!options.replay.empty()) open_replay(state_, options.replay);
@@ -75,7 +81,10 @@ class Viewer {
   }
 
   ViewerResult run() {
-    while (!screen_->host().closing() && !state_.wishes.quit && !over()) frame();
+    while (!ended()) {
+      rest();
+      frame();
+    }
     ViewerResult result;
     thread_.reset();
     device_.end(result);
@@ -85,8 +94,10 @@ class Viewer {
     if (!options_.screenshot.empty()) write_screenshot();
     result.forces = state_.shown_forces;
     files_->follow(state_, screen_->target());
+    result.messages.assign(state_.said.begin(), state_.said.end());
     result.seconds = static_cast<double>(state_.session->ticks()) * kViewStep;
     result.pictures = pictures_;
+    result.paused_pictures = paused_pictures_;
     result.state_hash = state_.session->state_hash();
     result.picture_ms = median(picture_times_);
     result.paint_ms = median(screen_->paint_times());
@@ -133,6 +144,34 @@ class Viewer {
     if (steps_itself() && state_.replay && state_.replay->over) return true;
     return options_.seconds > 0.0 &&
            static_cast<double>(state_.session->ticks()) * kViewStep >= options_.seconds - 0.5 * kViewStep;
+  }
+
+  bool ended() const {
+    const bool quits = state_.wishes.quit && !state_.wishes.any();  // what was asked for before is done
+    return screen_->host().closing() || quits || over();
+  }
+
+  /// Whether the picture changes without anybody doing anything.
+  bool goes_on() const {
+    return state_.playing || device_.ticks() || state_.rumbles || state_.filming || state_.wishes.any();
+  }
+
+  /// Waits until there is something to paint, and the screen ready to show it.
+  void rest() {
+    if (!options_.window || steps_itself()) return;
+    ViewerHost& host = screen_->host();
+    while (!ended()) {
+      const double now = host.clock();
+      if (host.take_happened() || goes_on() || take_snapshot(state_)) pace_.wake();
+      const bool blinks = ImGui::GetIO().WantTextInput || state_.browsing;
+      if ((blinks && now > state_.clock + kBlink) ||
+          (!state_.messages.empty() && state_.messages.front().until < now))
+        pace_.wake(2);  // what is over is taken away behind a picture
+      const double wait = pace_.due_in(now);
+      if (wait <= 0.0) return;
+      if (pace_.at_rest()) last_picture_ = 0.0;  // the next one does not come late
+      host.wait(std::min(wait, kLook));
+    }
   }
 
   void start_thread() {
@@ -183,6 +222,9 @@ class Viewer {
     host.begin_frame();
     ImGui::NewFrame();
     state_.clock = host.clock();
+    const bool seen = steps_itself() || host.visible();
+    pace_.hide(!seen);
+    pace_.begin(state_.clock);
     screen_->resize();
     step_cloths();
     const bool replaced = follow_replay(state_);
@@ -204,31 +246,29 @@ class Viewer {
       frame_next_ = false;
     }
     handle_keys(state_, host.take_keys());
-    state_.left_presses = host.take_left_presses();
-    state_.press_place = Vec2(host.press_place()[0], host.press_place()[1]);
+    state_.buttons = host.take_buttons();
     panels();
     handle_mouse(state_);
     draw_overlay_2d(state_);
     ImGui::Render();
     // Without a window nobody looks before the end.
-    if (options_.window) screen_->paint(state_);
-    host.show(screen_->target());
+    const bool paints = options_.window && (seen || state_.filming);
+    if (paints) screen_->paint(state_);
+    if (seen) host.show(screen_->target());
     serve_wishes();
     files_->follow(state_, screen_->target());
-    note_times(start);
+    if (paints || !options_.window) note_times(start);
   }
 
   void serve_wishes() {
     ViewWishes& wishes = state_.wishes;
     if (wishes.new_theme) apply_theme(state_.settings.dark, state_.settings.scale);
     if (wishes.new_scale) screen_->rescale(state_);
-    if (wishes.full_screen) screen_->host().toggle_full_screen();
+    if (wishes.full_screen > 0) screen_->host().toggle_full_screen();
     if (wishes.open) open_path(state_, *wishes.open);
     for (const std::string& path : screen_->host().take_dropped()) open_path(state_, path);
     files_->serve(state_, screen_->target(), screen_->painter());
-    const bool quit = wishes.quit;
-    wishes = {};
-    wishes.quit = quit;
+    wishes.one_done();
     while (!state_.messages.empty() && state_.messages.front().until < state_.clock)
       state_.messages.pop_front();
   }
@@ -257,6 +297,7 @@ class Viewer {
     }
     last_picture_ = now;
     ++pictures_;
+    if (!state_.playing) ++paused_pictures_;
     if (picture_times_.size() > kMostPictureTimes) picture_times_.clear();
   }
 
@@ -267,9 +308,10 @@ class Viewer {
   std::unique_ptr<ViewerFiles> files_;
   std::string framed_scene_;
   bool frame_next_ = true;
+  PaintPace pace_{kUsualRate};
   double wall_us_ = 0.0;  // of the ticks that are done here
   double last_picture_ = 0.0;
-  std::int64_t pictures_ = 0;
+  std::int64_t pictures_ = 0, paused_pictures_ = 0;
   std::vector<double> picture_times_;
   ViewerDevice device_;
   std::unique_ptr<PacedThread> thread_;

@@ -56,20 +56,28 @@ struct ShownForce {
   std::string text;  ///< "118.3 mN   12.06 gf"
 };
 
+/// A line that the window said.
+struct SaidMessage {
+  std::string text;  ///< in its language then
+  bool bad = false;
+};
+
 /// What happened.
 struct ViewerResult {
-  double seconds = 0.0;  ///< simulated [s]
-  std::int64_t pictures = 0;
-  std::uint64_t state_hash = 0;    ///< of all cloths at the end
-  double picture_ms = 0.0;         ///< median time from picture to picture [ms]
-  double paint_ms = 0.0;           ///< median time for the cloths of a picture [ms]
-  std::string renderer;            ///< as the driver calls itself
-  std::string device;              ///< model; empty: the mouse alone
-  std::vector<ShownForce> forces;  ///< in the last picture
-  std::uint64_t overruns = 0;      ///< of its force loop
-  double device_force = 0.0;       ///< most that was sent to it [N]
-  std::int64_t replay_hashes = 0;  ///< compared with those of a recording; 0: there was none
-  bool replay_matches = false;     ///< all of them
+  double seconds = 0.0;               ///< simulated [s]
+  std::int64_t pictures = 0;          ///< painted
+  std::int64_t paused_pictures = 0;   ///< of them, while time stood
+  std::uint64_t state_hash = 0;       ///< of all cloths at the end
+  double picture_ms = 0.0;            ///< median time from picture to picture [ms]
+  double paint_ms = 0.0;              ///< median time for the cloths of a picture [ms]
+  std::string renderer;               ///< as the driver calls itself
+  std::string device;                 ///< model; empty: the mouse alone
+  std::vector<ShownForce> forces;     ///< in the last picture
+  std::vector<SaidMessage> messages;  ///< the newest hundred, oldest first
+  std::uint64_t overruns = 0;         ///< of its force loop
+  double device_force = 0.0;          ///< most that was sent to it [N]
+  std::int64_t replay_hashes = 0;     ///< compared with those of a recording; 0: there was none
+  bool replay_matches = false;        ///< all of them
 };
 
 /// Whether there is a display to open a window on. Thread class: set-up.

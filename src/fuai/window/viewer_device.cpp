@@ -36,7 +36,7 @@ void ViewerDevice::open_hand(const std::string& name, bool computed) {
                                          computed ? DeviceHand::Time::kVirtual : DeviceHand::Time::kReal);
   } catch (const Error& e) {
     if (e.kind() != ErrorKind::kNoDevice) throw;
-    tell(e.problem() + (e.cure().empty() ? "" : " (" + e.cure() + ")"));
+    tell(e);
   }
 }
 
@@ -44,7 +44,7 @@ void ViewerDevice::open_rumble() {
   try {
     rumble_ = std::make_unique<GamepadRumble>();
   } catch (const Error& e) {
-    tell(e.problem() + " (" + e.cure() + ")");
+    tell(e);
   }
 }
 
@@ -52,7 +52,7 @@ void ViewerDevice::open_sound() {
   try {
     sound_ = std::make_unique<ForceSound>();
   } catch (const Error& e) {
-    tell(e.problem() + " (" + e.cure() + ")");
+    tell(e);
   }
 }
 
@@ -77,13 +77,20 @@ void ViewerDevice::follow_force() {
 }
 
 /// To the window in its language, and in English to whoever started it.
-void ViewerDevice::tell(const std::string& what, std::optional<TextId> more) {
+void ViewerDevice::tell(const std::function<std::string(Language)>& what) {
   const auto line = [&](Language language) {
-    return what + (more ? std::string(": ") + ui_text(*more, language) : "") + "; " +
-           ui_text(TextId::kDeviceMouseGoesOn, language);
+    return what(language) + "; " + ui_text(TextId::kDeviceMouseGoesOn, language);
   };
   state_.say(line(state_.settings.language), true);
   if (say_) say_(line(Language::kEnglish));
+}
+
+void ViewerDevice::tell(const std::string& name, TextId what) {
+  tell([&](Language language) { return name + ": " + ui_text(what, language); });
+}
+
+void ViewerDevice::tell(const Error& error) {
+  tell([&](Language language) { return error_text_without_place(error, language); });
 }
 
 void ViewerDevice::follow() {

@@ -46,7 +46,9 @@ class ViewerDevice {
   void open_rumble();
   void open_sound();
   std::size_t felt() const;
-  void tell(const std::string& what, std::optional<TextId> more = {});
+  void tell(const std::function<std::string(Language)>& what);
+  void tell(const std::string& name, TextId what);
+  void tell(const Error& error);
 
   ViewerState& state_;
   std::function<void(const std::string&)> say_;

@@ -32,7 +32,7 @@ bool try_files(ViewerState& state, const Work& work) {
     work();
     return true;
   } catch (const Error& e) {
-    state.say(e.what(), true);
+    state.say(state.text(e), true);
     return false;
   }
 }
@@ -188,6 +188,10 @@ void ViewerFiles::start_recording(ViewerState& state, const std::string& path) {
 }
 
 void ViewerFiles::toggle_recording(ViewerState& state) {
+  if (recording_ && !recording_->begun()) {  // its cloths are on their way: once more with the next picture
+    ++state.wishes.record;
+    return;
+  }
   if (recording_) {
     recording_.reset();
     state.recording = false;
@@ -230,11 +234,11 @@ void ViewerFiles::save_fabric(ViewerState& state) {
 
 void ViewerFiles::serve(ViewerState& state, ScreenTarget& target, ClothPainter& painter) {
   const ViewWishes& wishes = state.wishes;
-  if (wishes.screenshot) screenshot(state, target, painter);
-  if (wishes.video) toggle_video(state);
-  if (wishes.record) toggle_recording(state);
+  if (wishes.screenshot > 0) screenshot(state, target, painter);
+  if (wishes.video > 0) toggle_video(state);
+  if (wishes.record > 0) toggle_recording(state);
   if (wishes.force_log) toggle_force_log(state);
-  if (wishes.save) save_fabric(state);
+  if (wishes.save > 0) save_fabric(state);
   const std::size_t shown = shown_fabric(state);
   const std::string name = state.built.fabrics[shown].measured.id;
   const auto export_mesh = [&](const char* ending, const auto& bytes_of) {

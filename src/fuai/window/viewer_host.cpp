@@ -41,26 +41,9 @@ class WindowHost final : public ViewerHost {
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
     glfwSetWindowUserPointer(window_, this);
-    glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
-      auto* self = static_cast<WindowHost*>(glfwGetWindowUserPointer(window));
-      for (int i = 0; i < count; ++i) self->dropped_.emplace_back(paths[i]);
-    });
-    // ImGui's callbacks call the ones that were there before.
-    glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int mods) {
-      if (action == GLFW_RELEASE) return;
-      auto* self = static_cast<WindowHost*>(glfwGetWindowUserPointer(window));
-      self->keys_.push_back(
-          {key, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0, action == GLFW_REPEAT});
-    });
-    glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
-      auto* self = static_cast<WindowHost*>(glfwGetWindowUserPointer(window));
-      if (button != GLFW_MOUSE_BUTTON_LEFT || action != GLFW_PRESS) return;
-      ++self->left_presses_;
-      self->press_place_ = self->cursor_;
-    });
-    glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
-      static_cast<WindowHost*>(glfwGetWindowUserPointer(window))->cursor_ = {x, y};
-    });
+    set_callbacks();
+    glfwGetCursorPos(window_, &cursor_[0], &cursor_[1]);
+    rate_ = fastest_rate();
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
     ImGui_ImplOpenGL3_Init(kGlsl);
   }
@@ -71,6 +54,13 @@ class WindowHost final : public ViewerHost {
     glfwTerminate();
   }
 
+  void wait(double seconds) override { glfwWaitEventsTimeout(seconds); }
+  bool take_happened() override { return std::exchange(happened_, false); }
+  bool visible() const override {
+    return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == 0 &&
+           glfwGetWindowAttrib(window_, GLFW_VISIBLE) != 0;
+  }
+  double rate() const override { return rate_; }
   void begin_frame() override {
     glfwPollEvents();
     glfwGetFramebufferSize(window_, &width_, &height_);
@@ -102,12 +92,64 @@ class WindowHost final : public ViewerHost {
     glfwGetWindowSize(window_, &place_[2], &place_[3]);
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
   }
-  int take_left_presses() override { return std::exchange(left_presses_, 0); }
-  std::array<double, 2> press_place() const override { return press_place_; }
+  std::array<ButtonTrail, kMouseButtons> take_buttons() override { return std::exchange(buttons_, {}); }
   std::vector<KeyPress> take_keys() override { return std::exchange(keys_, {}); }
   std::vector<std::string> take_dropped() override { return std::exchange(dropped_, {}); }
 
  private:
+  static WindowHost& host_of(GLFWwindow* window) {
+    auto* self = static_cast<WindowHost*>(glfwGetWindowUserPointer(window));
+    self->happened_ = true;
+    return *self;
+  }
+
+  /// ImGui's callbacks call the ones that were there before.
+  void set_callbacks() {
+    glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
+      for (int i = 0; i < count; ++i) host_of(window).dropped_.emplace_back(paths[i]);
+    });
+    glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int mods) {
+      WindowHost& self = host_of(window);
+      if (action == GLFW_RELEASE) return;
+      self.keys_.push_back(
+          {key, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0, action == GLFW_REPEAT});
+    });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
+      host_of(window).note_button(button, action == GLFW_PRESS);
+    });
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
+      host_of(window).cursor_ = {x, y};
+    });
+    glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double) { host_of(window); });
+    glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned) { host_of(window); });
+    glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int) { host_of(window); });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int) { host_of(window); });
+    glfwSetWindowIconifyCallback(window_, [](GLFWwindow* window, int) { host_of(window); });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { host_of(window); });
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { host_of(window); });
+    glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* window, float, float) { host_of(window); });
+  }
+
+  void note_button(int button, bool down) {
+    if (button < 0 || button >= static_cast<int>(kMouseButtons)) return;
+    ButtonTrail& trail = buttons_[static_cast<std::size_t>(button)];
+    trail.let_go = !down;
+    (down ? trail.pressed_at : trail.let_go_at) = cursor_;
+    if (down) ++trail.presses;
+  }
+
+  /// Of all screens: which of them shows the window may change.
+  static double fastest_rate() {
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    int fastest = 0;
+    for (int i = 0; i < count; ++i)
+      if (const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]))
+        fastest = std::max(fastest, mode->refreshRate);
+    constexpr int kLeast = 24;  // drivers without a screen tell anything
+    return fastest >= kLeast ? fastest : kUsualRate;
+  }
+
   static std::string& last_error() {
     static std::string text;
     return text;
@@ -122,8 +164,10 @@ class WindowHost final : public ViewerHost {
   int place_[4] = {0, 0, 0, 0};
   std::vector<std::string> dropped_;
   std::vector<KeyPress> keys_;
-  int left_presses_ = 0;
-  std::array<double, 2> cursor_{}, press_place_{};
+  std::array<ButtonTrail, kMouseButtons> buttons_;
+  std::array<double, 2> cursor_{};
+  bool happened_ = true;
+  double rate_ = kUsualRate;
 };
 
 class HeadlessHost final : public ViewerHost {
@@ -149,7 +193,7 @@ class HeadlessHost final : public ViewerHost {
   double clock() const override { return clock_; }
 
  private:
-  static constexpr double kFrame = 1.0 / 60.0;
+  static constexpr double kFrame = 1.0 / kUsualRate;
   EglContext context_;
   int width_, height_;
   double clock_ = 0.0;

@@ -12,6 +12,17 @@
 
 namespace fuai {
 
+/// Pictures a second of most screens.
+inline constexpr double kUsualRate = 60.0;
+
+/// What a button of the mouse did between two pictures.
+struct ButtonTrail {
+  int presses = 0;                                  ///< two are a double click
+  bool let_go = false;                              ///< after the last of them
+  std::array<double, 2> pressed_at{}, let_go_at{};  ///< the last time [pixel]
+};
+inline constexpr std::size_t kMouseButtons = 3;  ///< left, right, middle, as GLFW and ImGui count them
+
 /// Makes an OpenGL context current and feeds ImGui. One at a time. Thread class: set-up, one thread.
 class ViewerHost {
  public:
@@ -20,6 +31,14 @@ class ViewerHost {
   ViewerHost& operator=(const ViewerHost&) = delete;
   virtual ~ViewerHost() = default;
 
+  /// Waits until something happens to the window, but no longer than this. @param seconds [s]
+  virtual void wait(double /*seconds*/) {}
+  /// Whether something happened to it since the last call, at once or while it was waited for.
+  virtual bool take_happened() { return true; }
+  /// Whether anybody could see it.
+  virtual bool visible() const { return false; }
+  /// Pictures that its screen shows a second; kUsualRate where nobody knows.
+  virtual double rate() const { return kUsualRate; }
   /// Events, sizes and times of a new frame, to ImGui; before ImGui::NewFrame().
   virtual void begin_frame() = 0;
   /// Shows what was drawn.
@@ -33,17 +52,15 @@ class ViewerHost {
   /// Keys that were pressed since the last call. Not asked from ImGui, which looks once a picture: a key that
   /// was pressed and let go between two pictures counts.
   virtual std::vector<KeyPress> take_keys() { return {}; }
-  /// How often the left button went down since the last call: two within one picture are a double click.
-  virtual int take_left_presses() { return 0; }
-  /// Where it went down the last time [pixel]: by the next picture the cursor may be elsewhere.
-  virtual std::array<double, 2> press_place() const { return {}; }
+  /// What the buttons did since the last call: by the next picture the cursor may be elsewhere.
+  virtual std::array<ButtonTrail, kMouseButtons> take_buttons() { return {}; }
   /// Paths that were dropped on it since the last call.
   virtual std::vector<std::string> take_dropped() { return {}; }
 };
 
 /// @throws Error (kNoDevice) without a display. Thread class: set-up.
 std::unique_ptr<ViewerHost> make_window_host(int width, int height, const std::string& title);
-/// A frame lasts 1/60 s. @throws Error (kNoDevice) without a graphics driver. Thread class: set-up.
+/// A frame lasts 1 / kUsualRate. @throws Error (kNoDevice) without a graphics driver. Thread class: set-up.
 std::unique_ptr<ViewerHost> make_headless_host(int width, int height);
 
 }  // namespace fuai

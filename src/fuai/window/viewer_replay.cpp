@@ -41,7 +41,7 @@ bool begin_part(ViewerState& state, std::size_t number) {
     state.session->play(true);
     return true;
   } catch (const Error& e) {
-    state.say(replay.name + ": " + e.what(), true);
+    state.say(replay.name + ": " + state.text(e), true);
     state.replay.reset();
     return false;
   }

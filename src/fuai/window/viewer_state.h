@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,7 @@
 #include "fuai/viewer/view_log.h"
 #include "fuai/viewer/view_session.h"
 #include "fuai/window/device_hand.h"
+#include "fuai/window/error_text.h"
 #include "fuai/window/fabric_choice.h"
 #include "fuai/window/first_steps.h"
 #include "fuai/window/hand_book.h"
@@ -26,6 +29,7 @@
 #include "fuai/window/view_quantity.h"
 #include "fuai/window/view_settings.h"
 #include "fuai/window/viewer.h"
+#include "fuai/window/viewer_host.h"
 
 namespace fuai {
 
@@ -45,6 +49,9 @@ struct Message {
   bool bad = false;
   double until = 0.0;  ///< clock of the window [s]
 };
+
+/// Of how many messages the newest are remembered.
+inline constexpr std::size_t kMostSaid = 100;
 
 /// What the user holds besides the mouse.
 struct ShownDevice {
@@ -84,14 +91,21 @@ struct Drag {
   Kind kind = Kind::kNone;
   int hand = -1;
   std::size_t tile = 0;
-  bool stays = false;  ///< the grab stays when the button is let go
+  bool stays = false;      ///< the grab stays when the button is let go
+  std::size_t button = 0;  ///< as the host counts them
+  bool let_go = false;     ///< it was already, within the picture in which it was pressed
 };
 
-/// What a frame wants done when it is over.
+/// What a frame wants done when it is over. Of what is counted every picture does one: a key that was pressed
+/// twice between two pictures begins a video with the one and ends it with the next.
 struct ViewWishes {
-  bool quit = false, full_screen = false, screenshot = false, video = false, record = false, obj = false,
-       gltf = false, force_log = false, save = false, new_theme = false, new_scale = false;
+  bool quit = false, obj = false, gltf = false, force_log = false, new_theme = false, new_scale = false;
+  int full_screen = 0, screenshot = 0, video = 0, record = 0, save = 0;
   std::optional<std::string> open;  ///< path
+
+  /// Whether some of what is counted waits for the next picture.
+  bool any() const noexcept { return full_screen + screenshot + video + record + save > 0; }
+  void one_done() noexcept;
 };
 
 /// The state.
@@ -120,13 +134,13 @@ struct ViewerState {
   std::optional<ShownReplay> replay;
   ShownChoice choice;
   Drag drag;
-  int left_presses = 0;             ///< since the last picture
-  Vec2 press_place = Vec2::Zero();  ///< of the last of them [pixel]
+  std::array<ButtonTrail, kMouseButtons> buttons;  ///< of the mouse, since the last picture
   OrbitCamera camera;
   std::vector<ScreenTile> tiles;  ///< by cloth, in pixels of the screen
   bool playing = true;
   std::deque<ForceMoment> forces;  ///< the last seconds
   std::deque<Message> messages;
+  std::deque<SaidMessage> said;          ///< the newest of all
   std::vector<ShownForce> shown_forces;  ///< in the last picture
   ViewWishes wishes;
   double clock = 0.0;                      ///< since the start of the window [s]
@@ -143,10 +157,13 @@ struct ViewerState {
   explicit ViewerState(ViewSetup setup) : document(std::move(setup)) {}
 
   const char* text(TextId id) const { return ui_text(id, settings.language); }
+  std::string text(const Error& error) const { return error_text(error, settings.language); }
   const ViewSnapshot& snapshot() const { return session->snapshot(); }
   /// Where the slots of a cloth are, as far as is known [m].
   const std::vector<Vec3>& slot_positions(std::size_t cloth) const;
   void say(std::string text, bool bad = false) {
+    said.push_back({text, bad});
+    if (said.size() > kMostSaid) said.pop_front();
     messages.push_back({std::move(text), bad, clock + (bad ? 12.0 : 5.0)});
   }
 };
@@ -182,6 +199,9 @@ struct ViewLayout {
   ViewBox fabric, plots, time, view;
 };
 ViewLayout lay_out(const ViewerState& state);
+/// So many of these lines, from the first, fit over the cloths without hiding more of them than they may.
+/// @param heights of the lines, each with all before it [pixel]
+std::size_t lines_that_fit(const ViewBox& view, std::span<const float> heights);
 /// ImGui::Begin() of a panel that fills a box; ImGui::End() follows whatever it returns.
 bool begin_panel(const char* name, const ViewBox& box, bool scrolls);
 /// The tiles of so many cloths in a box, as square as they can be.

@@ -47,7 +47,7 @@ bool same_lattice(const ViewSetup& a, const ViewSetup& b) {
 }
 
 void tell_refusal(ViewerState& state, const Error& e) {
-  state.say(std::string(state.text(TextId::kNotOpened)) + ": " + e.what() + " (" +
+  state.say(std::string(state.text(TextId::kNotOpened)) + ": " + state.text(e) + " (" +
                 state.text(TextId::kNothingChanged) + ")",
             true);
 }
@@ -164,7 +164,7 @@ bool follow_document(ViewerState& state) {
     state.replay.reset();  // a change of the user's ends it
     return true;
   } catch (const Error& e) {
-    state.say(std::string(e.what()) + " (" + state.text(TextId::kNothingChanged) + ")", true);
+    state.say(state.text(e) + " (" + state.text(TextId::kNothingChanged) + ")", true);
     state.document.change(state.built);  // what is seen
     state.built_version = state.document.version();
     study_fabrics(state);
@@ -192,20 +192,22 @@ void restart_cloths(ViewerState& state) {
   state.forces.clear();
 }
 
-void take_snapshot(ViewerState& state) {
+bool take_snapshot(ViewerState& state) {
   state.session->show_field(state.settings.heat_map);
-  if (!state.session->fetch()) return;
+  if (!state.session->fetch()) return false;
   const ViewSnapshot& snapshot = state.snapshot();
-  if (snapshot.cloths.size() != state.meshes.size()) return;  // of cloths that were replaced
+  if (snapshot.cloths.size() != state.meshes.size()) return true;  // of cloths that were replaced
   for (std::size_t i = 0; i < state.meshes.size(); ++i) {
     const ClothView& view = snapshot.cloths[i];
-    if (view.positions.size() != static_cast<std::size_t>(state.cloths->scene(i).model.slot_count())) return;
+    if (view.positions.size() != static_cast<std::size_t>(state.cloths->scene(i).model.slot_count()))
+      return true;
     update_piece_mesh(state.meshes[i], view.positions);
     state.vertex_values[i].clear();
     if (!view.field.empty()) spread_values(state.meshes[i], view.field, state.vertex_values[i]);
   }
   state.hands.follow(snapshot);
   remember_forces(state);
+  return true;
 }
 
 void frame_view(ViewerState& state) {
@@ -232,7 +234,7 @@ std::string lay_texture(ViewerState& state, const std::string& path, double widt
     state.texture_width = width;
     return {};
   } catch (const Error& e) {
-    state.say(e.what(), true);
+    state.say(state.text(e), true);
     return e.what();
   }
 }

@@ -31,8 +31,8 @@ std::uint64_t take_cloths(ViewerState& state, std::shared_ptr<ViewCloths> cloths
 /// New cloths of the same setup, at the start of the scene. @throws Error as ViewCloths. Thread class: the
 /// window's.
 void restart_cloths(ViewerState& state);
-/// Takes what the session has to show. Thread class: the window's.
-void take_snapshot(ViewerState& state);
+/// Takes what the session has to show. @return whether there is something new. Thread class: the window's.
+bool take_snapshot(ViewerState& state);
 /// Sees all of the scene. Thread class: the window's.
 void frame_view(ViewerState& state);
 
