@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include "fuai/core/error.h"
 #include "fuai/units/constants.h"
@@ -35,6 +37,9 @@ TEST_SUITE("units") {
       CHECK(kes.factor / si.factor == doctest::Approx(q.to_si).epsilon(1e-14));
       CHECK(kes.dimension == si.dimension);
       CHECK(q.plausible_low < q.plausible_high);
+      // In Japanese: more than letters of ASCII.
+      for (const std::string_view text : {q.name_ja, q.definition_ja})
+        CHECK(std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) >= 0x80; }));
     }
   }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -90,7 +91,8 @@ TEST_SUITE("unit") {
     CHECK(std::isfinite(wool.numbers[2]));
   }
 
-  TEST_CASE("Every scene that has time has a name in both languages, and no two share it") {
+  TEST_CASE(
+      "Every scene that has time has a name and a description in both languages, no two the same name") {
     std::set<std::string> names;
     std::size_t count = 0;
     for (const SceneEntry& scene : scene_entries()) {
@@ -102,6 +104,9 @@ TEST_SUITE("unit") {
         names.insert(text);
         ++count;
       }
+      CHECK(scene_description(scene, Language::kEnglish) == scene.description);
+      const std::string_view japanese = scene_description(scene, Language::kJapanese);
+      CHECK(std::ranges::any_of(japanese, [](char c) { return static_cast<unsigned char>(c) >= 0x80; }));
     }
     CHECK(names.size() == count);
     CHECK(scene_text("nosuch", Language::kEnglish) == nullptr);

@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "fuai/window/viewer_host.h"
 #include "fuai/window/viewer_state.h"
 #include "fuai/window/viewer_work.h"
 
@@ -94,6 +95,17 @@ TEST_SUITE("property") {
     CHECK(fit(299.0F) == 2);
     CHECK(fit(301.0F) == 3);
     CHECK(lines_that_fit({0.0F, 0.0F, 400.0F, 300.0F}, {}) == 0);
+  }
+
+  TEST_CASE("A fine screen whose system tells no scale has larger letters") {
+    CHECK(fitting_scale(1.0F, 1920, 508) == 1.0F);    // 96 dpi, as Xvfb says
+    CHECK(fitting_scale(1.0F, 2560, 597) == 1.0F);    // 27 inches, 109 dpi
+    CHECK(fitting_scale(1.0F, 3840, 941) == 1.0F);    // 43 inches, 104 dpi
+    CHECK(fitting_scale(1.0F, 3840, 597) == 1.75F);   // 27 inches, 163 dpi
+    CHECK(fitting_scale(1.0F, 3840, 294) == 3.0F);    // 13 inches, 332 dpi
+    CHECK(fitting_scale(1.25F, 3840, 597) == 1.25F);  // what the system says counts
+    CHECK(fitting_scale(1.0F, 3840, 160) == 1.0F);    // an aspect ratio
+    CHECK(fitting_scale(1.0F, 3840, 0) == 1.0F);
   }
 
   TEST_CASE("A small window leaves out what could not be read") {

@@ -29,6 +29,15 @@ ViewSetup named(const std::string& scene) {
 }  // namespace
 
 TEST_SUITE("unit") {
+  TEST_CASE("Units stand behind numbers as people write them, none behind a bare number") {
+    CHECK(shown_unit(kes_quantity(Kes::kB), UnitSystem::kKes) == "gf·cm²/cm");
+    CHECK(shown_unit(kes_quantity(Kes::kB), UnitSystem::kSi) == "N·m");
+    CHECK(shown_unit(kes_quantity(Kes::kSMD), UnitSystem::kKes) == "µm");
+    CHECK(shown_unit(kes_quantity(Kes::kLT), UnitSystem::kKes).empty());
+    CHECK(shown_unit(kes_quantity(Kes::kRT), UnitSystem::kKes) == "%");
+    CHECK(shown_unit(kes_quantity(Kes::kRT), UnitSystem::kSi).empty());
+  }
+
   TEST_CASE("Undo goes back, redo forward, a change forgets what could be redone") {
     ViewDocument document(named("a"));
     CHECK_FALSE(document.can_undo());

@@ -64,20 +64,20 @@ class Display:
 
 
 class Window:
-    """A viewer on a display. @param environment more variables of the program"""
+    """A viewer on a display. @param environment more variables of the program @param cloth its fabrics and scene"""
 
     # Where things are on 1280 x 720, with both panels.
     MIDDLE = (640, 330)
+    CLOTH = ("wool-tropical", "--scene", "hanging_sheet", "--size", "17", "--spacing", "2cm")
 
-    def __init__(self, display, folder, *words, out=None, environment=None):
+    def __init__(self, display, folder, *words, out=None, environment=None, cloth=CLOTH):
         self.display, self.folder = display, pathlib.Path(folder)
         self.settings = self.folder / "config" / "fuai" / "viewer.toml"
         self.environment = {**os.environ, "DISPLAY": display.name, "LIBGL_ALWAYS_SOFTWARE": "1",
                             "XDG_CONFIG_HOME": str(self.folder / "config")}
         self.record = self.folder / "r.fuai-view"
         self.program = subprocess.Popen(
-            [PROGRAM, "--json", "view", "wool-tropical", "--scene", "hanging_sheet", "--size", "17", "--spacing",
-             "2cm", "--record", str(self.record), "--out", str(out or self.folder), *words],
+            [PROGRAM, "--json", "view", *cloth, "--record", str(self.record), "--out", str(out or self.folder), *words],
             env={**self.environment, **(environment or {})}, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
             stderr=subprocess.PIPE, text=True,
             restore_signals=False)  # SIGXFSZ stays ignored: a limit of file sizes is a full disk

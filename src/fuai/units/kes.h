@@ -45,8 +45,9 @@ struct KesQuantity {
   std::string_view name_en;     ///< "bending hysteresis"
   std::string_view name_ja;     ///< "曲げヒステリシス"
   std::string_view definition;  ///< how the number follows from the measured curve
-  double plausible_low;         ///< KES unit; below this real cloth is rare: warn
-  double plausible_high;        ///< KES unit; above this: warn
+  std::string_view definition_ja;
+  double plausible_low;   ///< KES unit; below this real cloth is rare: warn
+  double plausible_high;  ///< KES unit; above this: warn
 };
 
 /// All quantities in the order of Kes. Thread class: any.

@@ -26,8 +26,11 @@ ViewLayout lay_out(const ViewerState& state) {
   const bool numbers = state.settings.fabric_panel && size.x >= kLeastWidthForNumbers * unit;
   const bool plots =
       state.settings.plots && size.x >= kLeastWidthForPlots * unit && size.y >= kLeastHeightForPlots * unit;
-  const float left = numbers ? std::min(21.0F * unit, 0.3F * size.x) : 0.0F;
-  const float right = plots ? std::min(23.0F * unit, 0.3F * size.x) : 0.0F;
+  // Alone it may have more of a narrow window: numbers and their units stand in a row.
+  const float left = numbers ? std::min(21.0F * unit, (plots ? 0.3F : 0.45F) * size.x) : 0.0F;
+  // Four columns of numbers are wider than the plots below them.
+  const bool many = state.document.setup().fabrics.size() > 3;
+  const float right = plots ? std::min((many ? 27.0F : 23.0F) * unit, 0.3F * size.x) : 0.0F;
   const float height = std::max(size.y - top - bottom, 1.0F);
   ViewLayout layout;
   layout.fabric = {0.0F, top, left, height};
@@ -49,7 +52,11 @@ bool begin_panel(const char* name, const ViewBox& box, bool scrolls) {
                            ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
   if (!scrolls) flags |= ImGuiWindowFlags_NoScrollbar;
-  return ImGui::Begin(name, nullptr, flags);
+  // Square: behind a round corner nothing is drawn.
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
+  const bool begun = ImGui::Begin(name, nullptr, flags);
+  ImGui::PopStyleVar();
+  return begun;
 }
 
 std::vector<ScreenTile> make_tiles(const ViewBox& box, std::size_t count) {

@@ -26,13 +26,15 @@ Colour force_colour(double share, bool dark) {
   return {0.85 * share, 0.30 * (1.0 - share), 0.70 - 0.60 * share, 1.0};
 }
 
-/// On a plate, readable over cloth of any colour.
-void write(ImDrawList& list, ImVec2 at, const std::string& text, bool dark, ImU32 colour) {
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+/// On a plate, readable over cloth of any colour. @param wrap width of a line, 0: any @return its height
+float write(ImDrawList& list, ImVec2 at, const std::string& text, bool dark, ImU32 colour,
+            float wrap = 0.0F) {
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap > 0.0F ? wrap : -1.0F);
   const float rim = 0.2F * ImGui::GetFontSize();
   list.AddRectFilled({at.x - rim, at.y}, {at.x + size.x + rim, at.y + size.y},
                      dark ? IM_COL32(20, 22, 25, 215) : IM_COL32(250, 250, 248, 225), rim);
-  list.AddText(at, colour, text.c_str());
+  list.AddText(nullptr, 0.0F, at, colour, text.c_str(), nullptr, wrap);
+  return size.y;
 }
 
 void draw_head(ImDrawList& list, ImVec2 root, ImVec2 tip, float size, ImU32 colour) {
@@ -128,28 +130,34 @@ void draw_device(const ViewerState& state, ImDrawList& list, std::size_t cloth) 
   list.AddCircleFilled(flat(at), 2.0F * scale, colour);
 }
 
-void draw_name(const ViewerState& state, ImDrawList& list, std::size_t cloth) {
+/// Name, mark of the device and faults of a cloth, below each other. @return where they end [pixel]
+float draw_name(const ViewerState& state, ImDrawList& list, std::size_t cloth) {
   const ViewFabric& fabric = state.built.fabrics[cloth];
   const ScreenTile& tile = state.tiles[cloth];
   const float unit = ImGui::GetFontSize();
-  std::string text = fabric.measured.name;
-  if (fabric.changed()) text += std::string(" (") + state.text(TextId::kChanged) + ")";
-  if (state.tiles.size() > 1) text = std::to_string(cloth + 1) + "  " + text;
-  if (state.tiles.size() > 1 && cloth == state.felt && (!state.device.model.empty() || state.rumbles))
-    text += std::string("   ● ") + state.text(TextId::kFeltNow);
+  const float wrap = std::max(static_cast<float>(tile.width) - 1.4F * unit, unit);
+  ImVec2 at{static_cast<float>(tile.left) + 0.7F * unit, static_cast<float>(tile.top) + 0.5F * unit};
+  const auto line = [&](const std::string& text, ImU32 colour) {
+    at.y += write(list, at, text, state.settings.dark, colour, wrap) + 0.3F * unit;
+  };
   const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
-  const ImVec2 at{static_cast<float>(tile.left) + 0.7F * unit, static_cast<float>(tile.top) + 0.5F * unit};
-  write(list, at, text, state.settings.dark, ink);
+  std::string name = fabric.measured.name;
+  if (fabric.changed()) name += std::string(" (") + state.text(TextId::kChanged) + ")";
+  if (state.tiles.size() > 1) name = std::to_string(cloth + 1) + "  " + name;
+  line(name, ink);
+  if (state.tiles.size() > 1 && cloth == state.felt && (!state.device.model.empty() || state.rumbles))
+    line(std::string("● ") + state.text(TextId::kFeltNow), ink);
   if (state.snapshot().cloths[cloth].failed_steps > 0)
-    write(list, {at.x, at.y + 1.3F * unit}, state.text(TextId::kBadNumbers), state.settings.dark,
-          IM_COL32(255, 90, 60, 255));
+    line(state.text(TextId::kBadNumbers), ImGui::ColorConvertFloat4ToU32(alarm_colour(state.settings.dark)));
   if (state.tiles.size() > 1)
     list.AddRect({static_cast<float>(tile.left), static_cast<float>(tile.top)},
                  {static_cast<float>(tile.left + tile.width), static_cast<float>(tile.top + tile.height)},
                  ImGui::GetColorU32(ImGuiCol_Separator));
+  return at.y;
 }
 
-void draw_colour_bar(const ViewerState& state, ImDrawList& list) {
+/// At the right of the last tile. @param below where the tile's name ends [pixel]
+void draw_colour_bar(const ViewerState& state, ImDrawList& list, float below) {
   if (state.settings.heat_map < 0 || state.tiles.empty()) return;
   const ViewQuantity& quantity = view_quantities()[static_cast<std::size_t>(state.settings.heat_map)];
   const ViewUnit& unit = quantity.unit(state.settings.units);
@@ -157,8 +165,22 @@ void draw_colour_bar(const ViewerState& state, ImDrawList& list) {
   const ScreenTile& tile = state.tiles.back();
   const float em = ImGui::GetFontSize();
   const float height = std::min(0.5F * static_cast<float>(tile.height), 16.0F * em), width = 1.1F * em;
-  const float right = static_cast<float>(tile.left + tile.width) - 5.0F * em;
-  const float top = static_cast<float>(tile.top) + 2.6F * em;
+  const Axis axis = make_axis(range.low / unit.to_si, range.high / unit.to_si, false,
+                              std::max(2, static_cast<int>(height / (2.0F * em))));
+  const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
+  std::string title = std::string(state.text(quantity.name)) + " [" + unit.text + "]";
+  if (!axis.factor.empty()) title += " " + axis.factor;
+  const float title_width = ImGui::CalcTextSize(title.c_str()).x;
+  const auto edge = static_cast<float>(tile.left + tile.width);
+  float top = static_cast<float>(tile.top) + em;
+  // Beside the name where there is room, else below it.
+  const float name_width =
+      ImGui::CalcTextSize(state.built.fabrics.back().measured.name.c_str()).x + 10.0F * em;
+  if (name_width + title_width > static_cast<float>(tile.width)) top = std::max(top, below);
+  write(list, {std::max(edge - title_width - 0.7F * em, static_cast<float>(tile.left) + 0.4F * em), top},
+        title, state.settings.dark, ink);
+  top += 1.6F * em;
+  const float right = edge - 5.0F * em;
   const ColourMap map = is_signed(quantity.field) ? ColourMap::kDiverging : ColourMap::kSequential;
   constexpr int kStripes = 64;
   for (int i = 0; i < kStripes; ++i) {
@@ -166,20 +188,12 @@ void draw_colour_bar(const ViewerState& state, ImDrawList& list) {
     list.AddRectFilled({right - width, y0}, {right, y0 + height / kStripes + 1.0F},
                        to_ui_colour(sample_colour_map(map, 1.0 - (i + 0.5) / kStripes)));
   }
-  const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
-  const Axis axis = make_axis(range.low / unit.to_si, range.high / unit.to_si, false,
-                              std::max(2, static_cast<int>(height / (2.0F * em))));
   for (const Tick& tick : axis.ticks) {
     if (tick.label.empty()) continue;
     const float y = top + height * (1.0F - static_cast<float>(axis.place(tick.value)));
     list.AddLine({right, y}, {right + 4.0F, y}, ink);
     write(list, {right + 7.0F, y - 0.5F * em}, tick.label, state.settings.dark, ink);
   }
-  std::string title = std::string(state.text(quantity.name)) + " [" + unit.text + "]";
-  if (!axis.factor.empty()) title += " " + axis.factor;
-  const float title_width = ImGui::CalcTextSize(title.c_str()).x;
-  write(list, {static_cast<float>(tile.left + tile.width) - title_width - 0.7F * em, top - 1.6F * em}, title,
-        state.settings.dark, ink);
 }
 
 void draw_notes(const ViewerState& state, ImDrawList& list) {
@@ -211,7 +225,8 @@ void draw_notes(const ViewerState& state, ImDrawList& list) {
   }
   for (auto m = state.messages.rbegin(); m != state.messages.rend(); ++m) {
     const ImVec2 size = ImGui::CalcTextSize(m->text.c_str(), nullptr, false, view.width - 2.0F * em);
-    const ImU32 colour = m->bad ? IM_COL32(235, 80, 50, 255) : ImGui::GetColorU32(ImGuiCol_Text);
+    const ImU32 colour = m->bad ? ImGui::ColorConvertFloat4ToU32(alarm_colour(state.settings.dark))
+                                : ImGui::GetColorU32(ImGuiCol_Text);
     y -= centred(m->text.c_str(), y - size.y + em, colour);
   }
 }
@@ -231,6 +246,7 @@ void draw_overlay_2d(ViewerState& state) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const ViewSnapshot& snapshot = state.snapshot();
   state.shown_forces.clear();
+  float below = 0.0F;  // the name of the last cloth
   for (std::size_t i = 0; i < std::min(state.tiles.size(), snapshot.cloths.size()); ++i) {
     const ScreenTile& tile = state.tiles[i];
     list.PushClipRect(
@@ -238,10 +254,10 @@ void draw_overlay_2d(ViewerState& state) {
         {static_cast<float>(tile.left + tile.width), static_cast<float>(tile.top + tile.height)});
     draw_hands(state, list, i);
     draw_device(state, list, i);
-    draw_name(state, list, i);
+    below = draw_name(state, list, i);
     list.PopClipRect();
   }
-  draw_colour_bar(state, list);
+  draw_colour_bar(state, list, below);
   draw_notes(state, list);
 }
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "fuai/core/error.h"
+#include "fuai/window/ui_style.h"
 #include "fuai/window/viewer_state.h"
 #include "fuai/window/viewer_work.h"
 
@@ -26,12 +27,11 @@ void read_fabrics(ViewerState& state) {
 
 /// Headings that sort when they are clicked.
 void headings(ViewerState& state) {
-  const bool kes = state.settings.units == UnitSystem::kKes;
   ImGui::TableSetupColumn(state.text(TextId::kFabric), ImGuiTableColumnFlags_WidthStretch, 0.40F);
   for (std::size_t i = 0; i < kChoiceNumbers; ++i) {
     const KesQuantity& q = choice_quantity(i);
-    const std::string name = std::string(q.symbol) + " [" + std::string(kes ? q.kes_unit : q.si_unit) +
-                             "]###number" + std::to_string(i);
+    const std::string name =
+        std::string(q.symbol) + " [" + shown_unit(q, state.settings.units) + "]###number" + std::to_string(i);
     ImGui::TableSetupColumn(name.c_str(), ImGuiTableColumnFlags_WidthStretch, 0.20F);
   }
   ImGui::TableSetupScrollFreeze(0, 1);
@@ -48,7 +48,7 @@ void number(const ViewerState& state, const FabricChoice& fabric, std::size_t i)
   const bool kes = state.settings.units == UnitSystem::kKes;
   const double value = kes ? fabric.numbers[i] / choice_quantity(i).to_si : fabric.numbers[i];
   if (fabric.assumed[i])
-    ImGui::TextDisabled("%.3g *", value);
+    ImGui::TextColored(assumed_colour(state.settings.dark), "%.3g *", value);
   else
     ImGui::Text("%.3g", value);
 }
@@ -67,7 +67,7 @@ std::string rows(ViewerState& state, const std::string& now) {
                           ImGuiSelectableFlags_SpanAllColumns))
       chosen = fabric.id;
     if (ImGui::IsItemHovered() && !fabric.composition.empty())
-      ImGui::SetTooltip("%s: %s", fabric.id.c_str(), fabric.composition.c_str());
+      wrapped_tooltip(fabric.id + ": " + fabric.composition);
     for (std::size_t n = 0; n < kChoiceNumbers; ++n) number(state, fabric, n);
   }
   return chosen;
@@ -96,9 +96,15 @@ void draw_fabric_choice(ViewerState& state, std::size_t place) {
   if (ImGui::BeginTable("choice", 1 + static_cast<int>(kChoiceNumbers), flags, table)) {
     headings(state);
     chosen = rows(state, fabric.source);
+    if (ImGui::TableGetRowIndex() < 1) {  // the headings alone
+      ImGui::TableNextRow();
+      ImGui::TableNextColumn();
+      ImGui::TextDisabled("%s", state.text(TextId::kNothingFound));
+    }
     ImGui::EndTable();
   }
-  ImGui::TextDisabled("* %s, %s", state.text(TextId::kAssumed), state.text(TextId::kStatistic));
+  ImGui::TextColored(assumed_colour(state.settings.dark), "* %s, %s", state.text(TextId::kAssumed),
+                     state.text(TextId::kStatistic));
   if (!chosen.empty()) ImGui::CloseCurrentPopup();
   ImGui::EndCombo();
   if (!chosen.empty() && chosen != fabric.source) set_view_fabric(state, place, chosen);

@@ -41,18 +41,15 @@ void felt_choice(ViewerState& state, std::size_t place) {
 
 void number_tooltip(const ViewerState& state, const FabricNumber& number) {
   const KesQuantity& q = number.definition();
-  const std::string_view name = state.settings.language == Language::kJapanese ? q.name_ja : q.name_en;
-  std::string text(name);
-  text += "\n" + std::string(q.definition) + "\n" + state.text(TextId::kSource) + ": " +
+  const bool japanese = state.settings.language == Language::kJapanese;
+  std::string text(japanese ? q.name_ja : q.name_en);
+  text += "\n" + std::string(japanese ? q.definition_ja : q.definition) + "\n" + state.text(TextId::kSource) +
+          ": " +
           (number.known.provenance.source.empty() ? state.text(TextId::kUnknown)
                                                   : number.known.provenance.source);
   if (!number.condition.empty()) text += "\n" + number.condition;
   if (!number.known.provenance.quality.empty()) text += "\n" + number.known.provenance.quality;
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(30.0F * ImGui::GetFontSize());
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
+  wrapped_tooltip(text);
 }
 
 void number_row(const ViewerState& state, const FabricNumber& number) {
@@ -68,8 +65,7 @@ void number_row(const ViewerState& state, const FabricNumber& number) {
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(value);
   ImGui::SameLine(0.0F, 4.0F);
-  const std::string_view unit = kes ? q.kes_unit : q.si_unit;
-  ImGui::TextDisabled("%.*s", static_cast<int>(unit.size()), unit.data());
+  ImGui::TextDisabled("%s", shown_unit(q, state.settings.units).c_str());
   ImGui::TableNextColumn();
   const ProvenanceKind kind = number.known.provenance.kind;
   ImGui::TextColored(provenance_colour(kind, state.settings.dark), "%s", state.text(provenance_text(kind)));
@@ -85,7 +81,11 @@ void number_table(ViewerState& state, std::size_t place) {
   const ImGuiTableFlags flags =
       ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerV;
   const float sliders = (static_cast<float>(kFabricFactorCount) + 2.2F) * ImGui::GetFrameHeightWithSpacing();
-  const float height = std::max(ImGui::GetContentRegionAvail().y - sliders, 6.0F * ImGui::GetFontSize());
+  // No higher than its rows: the sliders follow them.
+  const float rows = static_cast<float>(state.numbers[place].size()) *
+                     (ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y);
+  const float height =
+      std::max(std::min(ImGui::GetContentRegionAvail().y - sliders, rows), 6.0F * ImGui::GetFontSize());
   if (!ImGui::BeginTable("numbers", 3, flags, {0.0F, height})) return;
   ImGui::TableSetupColumn("symbol", ImGuiTableColumnFlags_WidthStretch, 0.30F);
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.44F);
@@ -146,13 +146,7 @@ void fabric_page(ViewerState& state, std::size_t place) {
   ImGui::PushTextWrapPos(0.0F);
   ImGui::TextDisabled("%s", measured.composition.c_str());
   ImGui::PopTextWrapPos();
-  if (!measured.note.empty() && ImGui::IsItemHovered()) {
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(30.0F * ImGui::GetFontSize());
-    ImGui::TextUnformatted(measured.note.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
-  }
+  if (!measured.note.empty() && ImGui::IsItemHovered()) wrapped_tooltip(measured.note);
   weave_line(state, measured);
   number_table(state, place);
   sliders(state, place);
@@ -171,7 +165,7 @@ std::string number_name(const ViewerState& state, const FabricNumber& number) {
 
 void draw_fabric_panel(ViewerState& state) {
   if (lay_out(state).fabric.width <= 0.0F) return;
-  if (begin_panel("fabric", lay_out(state).fabric, false)) {
+  if (begin_panel("fabric", lay_out(state).fabric, true)) {
     const std::size_t count = state.document.setup().fabrics.size();
     if (ImGui::BeginTabBar("fabrics")) {
       for (std::size_t i = 0; i < state.numbers.size(); ++i) {

@@ -6,6 +6,7 @@
 
 #include "fuai/scenes/catalogue.h"
 #include "fuai/window/scene_text.h"
+#include "fuai/window/ui_style.h"
 #include "fuai/window/viewer_state.h"
 #include "fuai/window/viewer_work.h"
 
@@ -75,11 +76,17 @@ void view_menu(ViewerState& state) {
   ImGui::EndMenu();
 }
 
+/// In a narrow window the bar has the lists alone: no names before them, and what the View menu has as well
+/// is left out.
+bool is_narrow() { return ImGui::GetIO().DisplaySize.x < 55.0F * ImGui::GetFontSize(); }
+
 void scene_choice(ViewerState& state) {
-  ImGui::SetNextItemWidth(10.0F * ImGui::GetFontSize());
+  if (!is_narrow()) ImGui::TextUnformatted(state.text(TextId::kScene));
+  ImGui::SetNextItemWidth((is_narrow() ? 8.0F : 10.0F) * ImGui::GetFontSize());
   const std::string& now = state.document.setup().scene;
   const char* known = scene_text(now, state.settings.language);
-  if (!ImGui::BeginCombo("##scene", known != nullptr ? known : now.c_str())) return;
+  if (!ImGui::BeginCombo("##scene", known != nullptr ? known : now.c_str(), ImGuiComboFlags_HeightLarge))
+    return;
   std::string chosen;
   for (const SceneEntry& scene : scene_entries()) {
     if (scene.kind != SceneKind::kEngine) continue;
@@ -87,8 +94,7 @@ void scene_choice(ViewerState& state) {
     const char* text = scene_text(name, state.settings.language);
     if (ImGui::Selectable(text != nullptr ? text : name.c_str(), name == now)) chosen = name;
     if (ImGui::IsItemHovered())
-      ImGui::SetTooltip("%s: %.*s", name.c_str(), static_cast<int>(scene.description.size()),
-                        scene.description.data());
+      wrapped_tooltip(name + ": " + std::string(scene_description(scene, state.settings.language)));
   }
   ImGui::EndCombo();
   if (!chosen.empty() && chosen != now) set_view_scene(state, chosen);
@@ -98,8 +104,9 @@ void heat_choice(ViewerState& state) {
   ViewSettings& s = state.settings;
   const char* now = s.heat_map < 0 ? state.text(TextId::kHeatNone)
                                    : state.text(view_quantities()[static_cast<std::size_t>(s.heat_map)].name);
+  if (!is_narrow()) ImGui::TextUnformatted(state.text(TextId::kHeatMap));
   ImGui::SetNextItemWidth(9.0F * ImGui::GetFontSize());
-  if (ImGui::BeginCombo("##heat", now)) {
+  if (ImGui::BeginCombo("##heat", now, ImGuiComboFlags_HeightLarge)) {
     if (ImGui::Selectable(state.text(TextId::kHeatNone), s.heat_map < 0)) s.heat_map = -1;
     for (const ViewQuantity& q : view_quantities())
       if (ImGui::Selectable(state.text(q.name), s.heat_map == static_cast<int>(q.field)))
@@ -126,14 +133,13 @@ void draw_menu(ViewerState& state) {
   view_menu(state);
   if (ImGui::MenuItem(state.text(TextId::kHelp), key_label(KeyAction::kHelp))) act(state, KeyAction::kHelp);
   ImGui::Separator();
-  ImGui::TextUnformatted(state.text(TextId::kScene));
   scene_choice(state);
-  ImGui::TextUnformatted(state.text(TextId::kHeatMap));
   heat_choice(state);
   const char* other =
       ui_text(TextId::kLanguageName,
               state.settings.language == Language::kEnglish ? Language::kJapanese : Language::kEnglish);
-  if (ImGui::MenuItem(other, key_label(KeyAction::kLanguage))) act(state, KeyAction::kLanguage);
+  if (!is_narrow() && ImGui::MenuItem(other, key_label(KeyAction::kLanguage)))
+    act(state, KeyAction::kLanguage);
   ImGui::EndMainMenuBar();
 }
 

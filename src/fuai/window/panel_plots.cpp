@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <optional>
 
 #include "fuai/experiments/fabric_plot.h"
 #include "fuai/fabric/scalar_laws.h"
+#include "fuai/picture/plot_axis.h"
 #include "fuai/units/constants.h"
 #include "fuai/window/plot_widget.h"
 #include "fuai/window/ui_style.h"
@@ -158,14 +160,79 @@ Plot loop_plot(const ViewerState& state, std::size_t cloth, PlottedLoop kind) {
   return plot;
 }
 
+/// "+25 %", from ten times on "×12".
+std::string change_text(double change) {
+  constexpr double kManyTimes = 9.0;
+  if (change >= kManyTimes) return "×" + format_number(1.0 + change, 0);
+  return (change < 0.0 ? "" : "+") + format_number(100.0 * change, 0) + " %";
+}
+
+std::string value_text(const ViewerState& state, const FabricNumber& number) {
+  if (!number.known.has_value()) return "-";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g",
+                state.settings.units == UnitSystem::kKes ? number.in_kes_units() : number.known.value);
+  return text;
+}
+
+/// Of the columns, so that nothing in them is cut [pixel].
+struct ComparisonWidths {
+  float name = 0.0F, number = 0.0F;
+};
+
+ComparisonWidths comparison_widths(const ViewerState& state) {
+  ComparisonWidths widths;
+  // The line between columns, and what is lost when their widths become whole pixels.
+  const float space = 2.0F * ImGui::GetStyle().CellPadding.x + 2.0F;
+  const auto widen = [&](float& width, const std::string& text) {
+    width = std::max(width, std::ceil(ImGui::CalcTextSize(text.c_str()).x) + space);
+  };
+  for (const ComparedNumber& number : state.comparison->numbers) {
+    widen(widths.name, number_name(state, number.first()));
+    widen(widths.name, shown_unit(number.first().definition(), state.settings.units));
+    for (std::size_t i = 0; i < number.each.size(); ++i) {
+      widen(widths.number, value_text(state, number.each[i]));
+      if (std::isfinite(number.change[i])) widen(widths.number, change_text(number.change[i]));
+    }
+  }
+  return widths;
+}
+
+void comparison_row(const ViewerState& state, const ComparedNumber& number) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  const KesQuantity& q = number.first().definition();
+  ImGui::TextUnformatted(number_name(state, number.first()).c_str());
+  if (ImGui::IsItemHovered())
+    wrapped_tooltip(std::string(state.settings.language == Language::kJapanese ? q.name_ja : q.name_en));
+  ImGui::TextDisabled("%s", shown_unit(q, state.settings.units).c_str());
+  for (std::size_t i = 0; i < number.each.size(); ++i) {
+    ImGui::TableNextColumn();
+    const FabricNumber& each = number.each[i];
+    const std::string text = value_text(state, each);
+    if (!each.known.has_value()) {
+      ImGui::TextDisabled("%s", text.c_str());
+      continue;
+    }
+    if (is_evidence(each.known.provenance)) {
+      ImGui::TextUnformatted(text.c_str());
+    } else {
+      ImGui::TextColored(assumed_colour(state.settings.dark), "%s", text.c_str());
+      if (ImGui::IsItemHovered()) wrapped_tooltip(each.known.provenance.source);
+    }
+    if (i == 0) continue;
+    if (std::isfinite(number.change[i])) ImGui::TextDisabled("%s", change_text(number.change[i]).c_str());
+    if (std::isfinite(number.jnd[i]) && ImGui::IsItemHovered())
+      ImGui::SetTooltip("%+.1f %s", number.jnd[i], state.text(TextId::kJndUnit));
+  }
+}
+
 }  // namespace
 
 void draw_plots_panel(ViewerState& state) {
   if (lay_out(state).plots.width <= 0.0F) return;
   if (begin_panel("plots", lay_out(state).plots, true)) {
     if (state.comparison) draw_comparison(state);
-    if (state.hands.last() < 0 && state.forces.empty())
-      ImGui::TextWrapped("%s", state.text(TextId::kGrabFirst));
     const float width = ImGui::GetContentRegionAvail().x;
     const float height = std::max(ImGui::GetContentRegionAvail().y / 5.0F - ImGui::GetStyle().ItemSpacing.y,
                                   7.4F * ImGui::GetFontSize());
@@ -174,7 +241,9 @@ void draw_plots_panel(ViewerState& state) {
     draw_plot(force_plot(state, false), widget);
     ImGui::PopID();
     ImGui::PushID("way");
-    draw_plot(force_plot(state, true), widget);
+    PlotWidget way = widget;
+    way.instead = state.text(TextId::kGrabFirst);
+    draw_plot(force_plot(state, true), way);
     ImGui::PopID();
     const std::size_t cloth =
         state.hands.last() < 0 ? 0 : state.hands.hand(static_cast<std::size_t>(state.hands.last())).cloth;
@@ -200,47 +269,23 @@ void draw_comparison(ViewerState& state) {
   ImGui::TextColored(assumed_colour(state.settings.dark), "%s, %s", state.text(TextId::kAssumed),
                      state.text(TextId::kStatistic));
   const auto columns = static_cast<int>(comparison.fabrics.size()) + 1;
-  const ImGuiTableFlags flags =
-      ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerV;
-  if (!ImGui::BeginTable("differences", columns, flags, {0.0F, 14.0F * ImGui::GetFontSize()})) return;
-  ImGui::TableSetupScrollFreeze(0, 1);
-  ImGui::TableSetupColumn(state.text(TextId::kQuantity), ImGuiTableColumnFlags_WidthStretch, 1.4F);
+  const ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY |
+                                ImGuiTableFlags_BordersInnerV;
+  const ComparisonWidths widths = comparison_widths(state);
+  const float least = widths.name + widths.number * static_cast<float>(columns - 1);
+  const float room = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize;
+  if (!ImGui::BeginTable("differences", columns, flags, {0.0F, 14.0F * ImGui::GetFontSize()},
+                         std::max(least, room)))
+    return;
+  ImGui::TableSetupScrollFreeze(1, 1);
+  ImGui::TableSetupColumn(state.text(TextId::kQuantity), ImGuiTableColumnFlags_WidthFixed, widths.name);
   for (int i = 1; i < columns; ++i) {
     const std::string name =
         std::to_string(i) + " " + comparison.fabrics[static_cast<std::size_t>(i - 1)].name;
-    ImGui::TableSetupColumn(name.c_str());
+    ImGui::TableSetupColumn(name.c_str(), ImGuiTableColumnFlags_WidthStretch);
   }
   ImGui::TableHeadersRow();
-  const bool kes = state.settings.units == UnitSystem::kKes;
-  for (const ComparedNumber& number : comparison.numbers) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    const KesQuantity& q = number.first().definition();
-    ImGui::TextUnformatted(number_name(state, number.first()).c_str());
-    const std::string_view name = state.settings.language == Language::kJapanese ? q.name_ja : q.name_en;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%.*s", static_cast<int>(name.size()), name.data());
-    const std::string_view unit = kes ? q.kes_unit : q.si_unit;
-    ImGui::TextDisabled("%.*s", static_cast<int>(unit.size()), unit.data());
-    for (std::size_t i = 0; i < number.each.size(); ++i) {
-      ImGui::TableNextColumn();
-      const FabricNumber& each = number.each[i];
-      if (!each.known.has_value()) {
-        ImGui::TextDisabled("-");
-        continue;
-      }
-      const double value = kes ? each.in_kes_units() : each.known.value;
-      if (is_evidence(each.known.provenance)) {
-        ImGui::Text("%.3g", value);
-      } else {
-        ImGui::TextColored(assumed_colour(state.settings.dark), "%.3g", value);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", each.known.provenance.source.c_str());
-      }
-      if (i == 0) continue;
-      if (std::isfinite(number.change[i])) ImGui::TextDisabled("%+.0f %%", 100.0 * number.change[i]);
-      if (std::isfinite(number.jnd[i]) && ImGui::IsItemHovered())
-        ImGui::SetTooltip("%+.1f %s", number.jnd[i], state.text(TextId::kJndUnit));
-    }
-  }
+  for (const ComparedNumber& number : comparison.numbers) comparison_row(state, number);
   ImGui::EndTable();
 }
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
+#include "fuai/picture/plot_axis.h"
 #include "fuai/window/ui_style.h"
 #include "fuai/window/viewer_replay.h"
 #include "fuai/window/viewer_state.h"
@@ -25,7 +25,7 @@ void button(ViewerState& state, KeyAction action, TextId text) {
 
 void controls(ViewerState& state) {
   button(state, KeyAction::kPlay, state.playing ? TextId::kPause : TextId::kPlay);
-  button(state, KeyAction::kStepBack, TextId::kKeyStepBack);
+  button(state, KeyAction::kStepBack, TextId::kStepBack);
   button(state, KeyAction::kStep, TextId::kStep);
   button(state, KeyAction::kReset, TextId::kReset);
   ImGui::SetNextItemWidth(7.0F * ImGui::GetFontSize());
@@ -40,6 +40,7 @@ void controls(ViewerState& state) {
     setup.scene_moves = moves;
     state.document.change(std::move(setup));
   }
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.text(TextId::kSceneMovesHint));
   ImGui::SameLine();
 }
 
@@ -54,48 +55,70 @@ void past(ViewerState& state) {
     state.session->play(false);
     state.session->seek(std::llround(static_cast<double>(tick) / kViewStep));
   }
+  if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
+    ImGui::SetTooltip("%s", state.text(TextId::kPastHint));
 }
 
+const ImVec4& usual_ink() { return ImGui::GetStyle().Colors[ImGuiCol_Text]; }
+
+/// Texts behind each other, the most important first. One that does not fit is left out: half a number would
+/// be another number.
+class StatusLine {
+ public:
+  void put(const std::string& text, const ImVec4& colour) {
+    const float gap = 1.2F * ImGui::GetFontSize();
+    if (begun_) {
+      const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+      if (ImGui::GetItemRectMax().x + gap + ImGui::CalcTextSize(text.c_str()).x > end) return;
+      ImGui::SameLine(0.0F, gap);
+    }
+    begun_ = true;
+    ImGui::TextColored(colour, "%s", text.c_str());
+  }
+  void put(const std::string& text) { put(text, usual_ink()); }
+
+ private:
+  bool begun_ = false;
+};
+
 /// Of the cloth whose page is shown, each with its name.
-void energies(const ViewerState& state) {
+std::string energies(const ViewerState& state) {
   const std::vector<ClothView>& cloths = state.snapshot().cloths;
-  if (cloths.empty()) return;
+  if (cloths.empty()) return {};
   const std::size_t shown = std::min(state.page, cloths.size() - 1);
   const ClothView& cloth = cloths[shown];
   const std::string which = cloths.size() > 1 ? " " + std::to_string(shown + 1) : "";
-  ImGui::Text(" %s%s: %s %.3f mJ, %s %.3f mJ, %s %.3f mJ", state.text(TextId::kStatusEnergy), which.c_str(),
-              state.text(TextId::kEnergyDeformation), 1e3 * cloth.energy.internal(),
-              state.text(TextId::kEnergyWeight), 1e3 * cloth.energy.weight, state.text(TextId::kEnergyMotion),
-              1e3 * cloth.kinetic_energy);
+  const auto part = [&](TextId name, double joules) {
+    return std::string(state.text(name)) + " " + format_number(1e3 * joules, 3) + " mJ";
+  };
+  return state.text(TextId::kStatusEnergy) + which + ": " +
+         part(TextId::kEnergyDeformation, cloth.energy.internal()) + ", " +
+         part(TextId::kEnergyWeight, cloth.energy.weight) + ", " +
+         part(TextId::kEnergyMotion, cloth.kinetic_energy);
 }
 
 void status(ViewerState& state) {
   const ViewSnapshot& s = state.snapshot();
-  ImGui::Text("%.3f s", s.time);
-  ImGui::SameLine();
-  energies(state);
-  if (state.real_time_factor) {  // else nothing is paced, and times would say nothing
-    ImGui::SameLine();
-    ImGui::Text("  %s %.0f µs   %s ×%.2f   %s %.0f ms", state.text(TextId::kStatusStep), s.step_us,
-                state.text(TextId::kStatusRealTime), state.playing ? *state.real_time_factor : 0.0,
-                state.text(TextId::kStatusFrames), state.picture_ms);
-  }
-  if (state.device.asked.empty()) {
-    ImGui::SameLine();
-    ImGui::Text("  %s", state.text(TextId::kStatusDevice));
-  }
-  if (state.recording || state.filming || state.logging) {
-    ImGui::SameLine();
-    ImGui::TextColored({0.95F, 0.3F, 0.25F, 1.0F}, "● %s", state.text(TextId::kRecording));
-  }
+  StatusLine line;
+  line.put(format_number(s.time, 3) + " s");
+  if (state.recording || state.filming || state.logging)
+    line.put(std::string("● ") + state.text(TextId::kRecording), alarm_colour(state.settings.dark));
   if (state.playing && state.clock > 2.0 && state.real_time_factor &&
-      *state.real_time_factor < kTooSlow * state.settings.speed) {
-    ImGui::SameLine();
-    ImGui::TextColored(assumed_colour(state.settings.dark), "%s", state.text(TextId::kTooSlow));
+      *state.real_time_factor < kTooSlow * state.settings.speed)
+    line.put(state.text(TextId::kTooSlow), assumed_colour(state.settings.dark));
+  line.put(energies(state));
+  if (state.real_time_factor) {  // else nothing is paced, and times would say nothing
+    const auto number = [&](TextId name, const char* before, double value, int decimals, const char* unit) {
+      line.put(std::string(state.text(name)) + before + format_number(value, decimals) + unit);
+    };
+    if (state.playing) number(TextId::kStatusRealTime, " ×", *state.real_time_factor, 2, "");
+    number(TextId::kStatusStep, " ", s.step_us, 0, " µs");
+    number(TextId::kStatusFrames, " ", state.picture_ms, 0, " ms");
   }
+  if (state.device.asked.empty()) line.put(state.text(TextId::kStatusDevice));
 }
 
-/// A line about the device: how fast its force loop is, what it is given, and what the cloth gives.
+/// A line about the device: what the cloth gives, what it is given, and how fast its force loop is.
 void device_status(const ViewerState& state) {
   const ShownDevice& device = state.device;
   if (device.asked.empty()) return;
@@ -104,29 +127,30 @@ void device_status(const ViewerState& state) {
                         state.text(TextId::kDeviceMouseGoesOn));
     return;
   }
-  ImGui::Text("%s   %.0f Hz   %s %llu", device.model.c_str(), device.view.rate,
-              state.text(TextId::kDeviceOverruns), static_cast<unsigned long long>(device.view.overruns));
-  ImGui::SameLine();
+  StatusLine line;
+  line.put(device.model);
   if (device.view.away || device.view.faulted) {
-    ImGui::TextColored({0.95F, 0.3F, 0.25F, 1.0F}, "  %s",
-                       state.text(device.view.away ? TextId::kDeviceAway : TextId::kDeviceFault));
-    return;
+    line.put(state.text(device.view.away ? TextId::kDeviceAway : TextId::kDeviceFault),
+             alarm_colour(state.settings.dark));
+  } else {
+    const std::vector<ClothView>& cloths = state.snapshot().cloths;
+    const std::size_t felt = std::min(state.felt, cloths.size() - 1);
+    const double cloth = cloths.empty() ? 0.0 : cloths[felt].hands[kDeviceHand].force.norm();
+    const std::string which = cloths.size() > 1 ? " " + std::to_string(felt + 1) + ":" : "";
+    line.put(state.text(TextId::kDeviceCloth) + which + " " + force_text(cloth));
+    if (device.gives_force)
+      line.put(std::string(state.text(TextId::kDeviceSent)) + " " + force_text(device.view.force));
+    else
+      line.put(state.text(TextId::kDeviceNoForce));
   }
-  const std::vector<ClothView>& cloths = state.snapshot().cloths;
-  const std::size_t felt = std::min(state.felt, cloths.size() - 1);
-  const double cloth = cloths.empty() ? 0.0 : cloths[felt].hands[kDeviceHand].force.norm();
-  const std::string which = cloths.size() > 1 ? " " + std::to_string(felt + 1) + ":" : "";
-  const std::string sent =
-      device.gives_force ? force_text(device.view.force) : state.text(TextId::kDeviceNoForce);
-  ImGui::Text("  %s%s %s   %s %s", state.text(TextId::kDeviceCloth), which.c_str(), force_text(cloth).c_str(),
-              state.text(TextId::kDeviceSent), sent.c_str());
+  line.put(format_number(device.view.rate, 0) + " Hz");
+  line.put(std::string(state.text(TextId::kDeviceOverruns)) + " " + std::to_string(device.view.overruns));
 }
 
 void replay_status(const ViewerState& state) {
   if (!state.replay) return;
   const bool differs = state.replay->first_difference >= 0;
-  ImGui::PushStyleColor(ImGuiCol_Text,
-                        differs ? ImVec4{0.95F, 0.3F, 0.25F, 1.0F} : ImGui::GetStyleColorVec4(ImGuiCol_Text));
+  ImGui::PushStyleColor(ImGuiCol_Text, differs ? alarm_colour(state.settings.dark) : usual_ink());
   ImGui::TextUnformatted(replay_text(state).c_str());
   ImGui::PopStyleColor();
 }

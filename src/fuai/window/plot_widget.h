@@ -10,7 +10,8 @@ namespace fuai {
 struct PlotWidget {
   float width = 300.0F, height = 180.0F;  ///< [pixel]
   bool dark = true;
-  const char* hint = nullptr;  ///< a line below the values under the mouse
+  const char* hint = nullptr;     ///< a line below the values under the mouse
+  const char* instead = nullptr;  ///< stands where there is no curve
 };
 
 /// At the cursor of the current ImGui window. Lines, dashes, points and the legend; log axes,

@@ -4,6 +4,7 @@
 
 #include <fontconfig/fontconfig.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -61,7 +62,8 @@ std::string load_fonts(float size, const std::string& more) {
   }
   for (const ErrorSentence& sentence : error_sentences()) builder.AddText(sentence.japanese);
   for (const KesQuantity& q : kes_quantities())
-    builder.AddText(q.name_ja.data(), q.name_ja.data() + q.name_ja.size());
+    for (const std::string_view text : {q.name_ja, q.definition_ja})
+      builder.AddText(text.data(), text.data() + text.size());
   static ImVector<ImWchar> ranges;  // the atlas reads it until it is built, and does not copy it
   ranges.clear();
   builder.BuildRanges(&ranges);
@@ -95,6 +97,19 @@ ImVec4 assumed_colour(bool dark) {
   return dark ? ImVec4(0.95F, 0.70F, 0.35F, 1.0F) : ImVec4(0.70F, 0.35F, 0.0F, 1.0F);
 }
 
+void wrapped_tooltip(const std::string& text) {
+  const float em = ImGui::GetFontSize();
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(std::min(30.0F * em, ImGui::GetIO().DisplaySize.x - 2.0F * em));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+ImVec4 alarm_colour(bool dark) {
+  return dark ? ImVec4(0.95F, 0.30F, 0.25F, 1.0F) : ImVec4(0.75F, 0.12F, 0.06F, 1.0F);
+}
+
 void apply_theme(bool dark, float scale) {
   ImGuiStyle style;
   if (dark)
@@ -103,6 +118,7 @@ void apply_theme(bool dark, float scale) {
     ImGui::StyleColorsLight(&style);
   style.WindowRounding = 6.0F;
   style.FrameRounding = 4.0F;
+  style.FrameBorderSize = dark ? 0.0F : 1.0F;  // white on white in menus
   style.GrabRounding = 4.0F;
   style.WindowBorderSize = dark ? 0.0F : 1.0F;
   style.Colors[ImGuiCol_WindowBg].w = 0.97F;

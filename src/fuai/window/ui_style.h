@@ -27,5 +27,9 @@ Colour background_colour(bool dark);
 Colour ground_colour(bool dark);
 /// Ink of what is not measured. Thread class: any.
 ImVec4 assumed_colour(bool dark);
+/// A tooltip of lines that end before they are too long to be read. Thread class: the window's.
+void wrapped_tooltip(const std::string& text);
+/// Ink of what went wrong, and of recordings. Thread class: any.
+ImVec4 alarm_colour(bool dark);
 
 }  // namespace fuai

@@ -38,6 +38,12 @@ static_assert(std::size(kQuantities) == kClothFieldCount);
 
 std::span<const ViewQuantity> view_quantities() { return kQuantities; }
 
+std::string shown_unit(const KesQuantity& quantity, UnitSystem system) {
+  const std::string_view unit = system == UnitSystem::kKes ? quantity.kes_unit : quantity.si_unit;
+  if (unit == "-") return {};
+  return unit == "um" ? "µm" : std::string(unit);
+}
+
 LoopAxes loop_axes(PlottedLoop kind, UnitSystem system) {
   const bool kes = system == UnitSystem::kKes;
   switch (kind) {

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "fuai/sim/cloth_fields.h"
+#include "fuai/units/kes.h"
 #include "fuai/window/ui_text.h"
 
 namespace fuai {
@@ -29,6 +31,9 @@ struct ViewQuantity {
 
 /// In the order of ClothField. Thread class: any.
 std::span<const ViewQuantity> view_quantities();
+
+/// How the unit of a KES quantity is written behind a number; empty where there is none. Thread class: any.
+std::string shown_unit(const KesQuantity& quantity, UnitSystem system);
 
 /// The pairs of live loops: their axes. Thread class: any.
 struct LoopAxes {

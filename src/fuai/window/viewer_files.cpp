@@ -183,6 +183,7 @@ void ViewerFiles::toggle_video(ViewerState& state) {
 
 void ViewerFiles::start_recording(ViewerState& state, const std::string& path) {
   recording_ = std::make_unique<ViewLogWriter>(path, state.built);
+  recording_path_ = path;
   lost_before_ = state.session->lost_events();
   state.recording = true;
 }
@@ -195,7 +196,7 @@ void ViewerFiles::toggle_recording(ViewerState& state) {
   if (recording_) {
     recording_.reset();
     state.recording = false;
-    state.say(state.text(TextId::kSaved));
+    state.say(recording_path_ + ": " + state.text(TextId::kSaved));
     return;
   }
   try_files(state, [&] {
@@ -204,19 +205,19 @@ void ViewerFiles::toggle_recording(ViewerState& state) {
     start_recording(state, path);
     restart_cloths(state);
     setup_changed(state);
-    state.say(path);
+    state.say(path + ": " + state.text(TextId::kRecording));
   });
 }
 
 void ViewerFiles::toggle_force_log(ViewerState& state) {
   if (forces_) {
     forces_.reset();
-    state.say(state.text(TextId::kSaved));
+    state.say(forces_path_ + ": " + state.text(TextId::kSaved));
   } else {
     try_files(state, [&] {
-      const std::string path = free_name("fuai-forces", ".csv");
-      forces_ = std::make_unique<ForceLog>(path);
-      state.say(path);
+      forces_path_ = free_name("fuai-forces", ".csv");
+      forces_ = std::make_unique<ForceLog>(forces_path_);
+      state.say(forces_path_ + ": " + state.text(TextId::kRecording));
     });
   }
   state.logging = forces_ != nullptr;

@@ -43,6 +43,7 @@ class ViewerFiles {
   std::string free_name(const std::string& stem, const std::string& ending) const;
 
   std::string folder_, version_;
+  std::string recording_path_, forces_path_;  // of the newest ones
   std::unique_ptr<ViewLogWriter> recording_;
   std::uint64_t lost_before_ = 0;  // events that were lost before it began
   std::unique_ptr<ForceLog> forces_;

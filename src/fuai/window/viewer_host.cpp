@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
@@ -77,7 +78,13 @@ class WindowHost final : public ViewerHost {
   float scale() const override {
     float x = 1.0F, y = 1.0F;
     glfwGetWindowContentScale(window_, &x, &y);
-    return std::max(std::max(x, y), 0.5F);
+    const float told = std::max(std::max(x, y), 0.5F);
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+    if (mode == nullptr) return told;
+    int wide = 0, high = 0;  // [mm]
+    glfwGetMonitorPhysicalSize(monitor, &wide, &high);
+    return fitting_scale(told, mode->width, wide);
   }
   double clock() const override { return glfwGetTime(); }
   void toggle_full_screen() override {
@@ -207,6 +214,17 @@ bool has_display() {
     return value != nullptr && *value != '\0';
   };
   return set("DISPLAY") || set("WAYLAND_DISPLAY");
+}
+
+float fitting_scale(float told, int pixels, int millimetres) {
+  // Of screens between a small notebook's and a television's; others tell an aspect ratio, or nothing.
+  constexpr int kLeastWidth = 200, kMostWidth = 2000;  // [mm]
+  constexpr float kUsual = 96.0F, kFine = 140.0F;      // [dpi]
+  constexpr float kInch = 25.4F;                       // [mm]
+  if (told != 1.0F || millimetres < kLeastWidth || millimetres > kMostWidth) return told;
+  const float dpi = kInch * static_cast<float>(pixels) / static_cast<float>(millimetres);
+  if (dpi < kFine) return told;
+  return std::min(0.25F * std::round(4.0F * dpi / kUsual), 3.0F);
 }
 
 std::unique_ptr<ViewerHost> make_window_host(int width, int height, const std::string& title) {

@@ -58,6 +58,11 @@ class ViewerHost {
   virtual std::vector<std::string> take_dropped() { return {}; }
 };
 
+/// The scale that is told, or where none is told (1) that of a fine screen by its size. @param told by the
+/// system @param pixels, millimetres of the screen's width; what cannot be is not believed. Thread class:
+/// any.
+float fitting_scale(float told, int pixels, int millimetres);
+
 /// @throws Error (kNoDevice) without a display. Thread class: set-up.
 std::unique_ptr<ViewerHost> make_window_host(int width, int height, const std::string& title);
 /// A frame lasts 1 / kUsualRate. @throws Error (kNoDevice) without a graphics driver. Thread class: set-up.

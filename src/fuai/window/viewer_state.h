@@ -59,7 +59,6 @@ struct ShownDevice {
   std::string model;  ///< empty: it is not there
   bool gives_force = false;
   DeviceView view;
-  Vec3 start = Vec3::Zero();  ///< where its hand gripped last [m]
 };
 
 /// A recording that is done again.
@@ -139,6 +138,7 @@ struct ViewerState {
   std::vector<ScreenTile> tiles;  ///< by cloth, in pixels of the screen
   bool playing = true;
   std::deque<ForceMoment> forces;  ///< the last seconds
+  Vec3 led_start = Vec3::Zero();   ///< where a hand gripped last that is not the mouse's [m]
   std::deque<Message> messages;
   std::deque<SaidMessage> said;          ///< the newest of all
   std::vector<ShownForce> shown_forces;  ///< in the last picture

@@ -88,10 +88,11 @@ void remember_forces(ViewerState& state) {
   ForceMoment moment;
   moment.time = snapshot.time;
   moment.hand = state.hands.last();
-  // The mouse's hand, else that of the device.
-  constexpr auto kDevice = static_cast<int>(kDeviceHand);
-  const bool was_device = !state.forces.empty() && state.forces.back().hand == kDevice;
-  if (moment.hand < 0 && snapshot.cloths.front().hands[kDeviceHand].holds) moment.hand = kDevice;
+  // The mouse's hand, else that of the device or of a recording.
+  const bool led = moment.hand < 0;
+  for (std::size_t i = 0; i < kMostViewHands && moment.hand < 0; ++i)
+    if ((i == kDeviceHand || state.replay) && snapshot.cloths.front().hands[i].holds)
+      moment.hand = static_cast<int>(i);
   for (const ClothView& cloth : snapshot.cloths) {
     // Without a hand of the user's that of the scene.
     const GraspReading& reading =
@@ -101,11 +102,11 @@ void remember_forces(ViewerState& state) {
     moment.probed = moment.probed || cloth.probed;
   }
   if (moment.hand >= 0) {
-    const UserHand& hand = state.hands.hand(static_cast<std::size_t>(moment.hand));
-    const Vec3& place = snapshot.cloths.front().targets[kDeviceHand];
-    if (moment.hand == kDevice && !was_device) state.device.start = place;
-    moment.way =
-        moment.hand == kDevice ? (place - state.device.start).norm() : (hand.target - hand.start).norm();
+    const auto hand = static_cast<std::size_t>(moment.hand);
+    const Vec3& place = snapshot.cloths.front().targets[hand];
+    if (led && (state.forces.empty() || state.forces.back().hand != moment.hand)) state.led_start = place;
+    const UserHand& own = state.hands.hand(hand);
+    moment.way = led ? (place - state.led_start).norm() : (own.target - own.start).norm();
   }
   state.forces.push_back(std::move(moment));
 }
