@@ -44,9 +44,9 @@ class Commands(Case):
             if word.startswith("-"):
                 self.assertRegex(known, rf"(?m)^ +(-\w,)?{re.escape(word)}[ ,]")
         if command == ["drape"] or command == ["fabric", "card"]:
-            self.run_program("-q", *words, "--spacing", "2cm", "--runs", "1")
+            self.run_program("-q", *words, "--spacing", "1.5cm", "--runs", "1")
         if command == ["report"]:
-            self.run_program("-q", *words, "--spacing", "2cm", "--runs", "1", "--no-kes")
+            self.run_program("-q", *words, "--spacing", "1.5cm", "--runs", "1", "--no-kes")
         if command == ["batch"]:
             self.run_program("-q", *words, "--list")
         if words[0] == "render":
