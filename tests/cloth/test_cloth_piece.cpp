@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -155,6 +156,36 @@ TEST_SUITE("unit") {
     CHECK(plain.fixed[index(plain, 4, 3)] == 1);
     CHECK(plain.fixed[index(plain, 5, 3)] == 0);
     CHECK(plain.weft_bend_length[index(plain, 4, 3)] == 0.01);
+  }
+
+  TEST_CASE(
+      "clamps: a yarn that ends soon hands on what it can, and two clamps that meet make Simpson's rule") {
+    const auto lengths = [](const ClothPieceSpec& spec) {
+      const ClothModel m = make_cloth_model(spec);
+      std::array<double, 3> shares{1.0, 1.0, 1.0};  // beyond the cloth too
+      for (int i = 0; i < 3 && 4 + i < m.columns; ++i)
+        shares[static_cast<std::size_t>(i)] = m.weft_bend_length[index(m, 4 + i, 2)] / 0.01;
+      return shares;
+    };
+    struct Case {
+      int cells;  // along the yarn; it has no triple at its end
+      std::array<double, 3> shares;
+    };
+    for (const Case& c : {Case{5, {0.5, 1.0, 1.0}}, Case{6, {5.0 / 12.0, 13.0 / 12.0, 1.0}},
+                          Case{7, {3.0 / 8.0, 7.0 / 6.0, 23.0 / 24.0}}}) {
+      CAPTURE(c.cells);
+      ClothPieceSpec spec = rectangle(0.01 * c.cells, 0.04, 0.01);
+      spec.clamps.push_back({HalfPlaneRegion{Vec2::UnitX(), 0.04}, true});
+      const std::array<double, 3> shares = lengths(spec);
+      for (std::size_t i = 0; i < 3; ++i) CHECK(shares[i] == relative(c.shares[i], 1e-9));
+    }
+    ClothPieceSpec spec = rectangle(0.1, 0.04, 0.01);
+    spec.clamps = {{HalfPlaneRegion{Vec2::UnitX(), 0.04}, true},
+                   {HalfPlaneRegion{-Vec2::UnitX(), -0.06}, true}};
+    const std::array<double, 3> simpson = lengths(spec);
+    CHECK(simpson[0] == relative(1.0 / 3.0, 1e-9));
+    CHECK(simpson[1] == relative(4.0 / 3.0, 1e-9));
+    CHECK(simpson[2] == relative(1.0 / 3.0, 1e-9));
   }
 
   TEST_CASE("clamps: a cell held in part is as stiff in twist as its free part") {

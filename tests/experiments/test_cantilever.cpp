@@ -90,10 +90,11 @@ TEST_SUITE("convergence+slow") {
       }
       CAPTURE(load);
       MESSAGE("errors ", errors[0], ", ", errors[1], ", ", errors[2]);
-      // What is left of the lattice's error changes its sign on the way, and the threads stretch: a curve of
-      // order 2 above it. With half a cell at the clamp 40 segments were 0.03 % off.
-      for (std::size_t i = 0; i < errors.size(); ++i)
-        CHECK(errors[i] < 1e-4 * std::pow(4.0, 2.0 - static_cast<double>(i)));
+      // Order 2; 1.8 because the threads stretch and the coarse strip is not yet in its limit. Under the
+      // light load what is left of the lattice's error is no more than that stretch, and has no order.
+      for (std::size_t i = 1; i < errors.size() && errors[0] > 1e-5; ++i)
+        CHECK(std::log2(errors[i - 1] / errors[i]) > 1.8);
+      CHECK(errors.back() < (errors[0] > 1e-5 ? 1e-4 : 1e-5));
     }
   }
 }

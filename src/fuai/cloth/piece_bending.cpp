@@ -90,17 +90,17 @@ double free_part(std::span<const Clamp> clamps, const ClothModel& model, const V
 }
 
 /// Lengths that a clamp's edge adds to the triples in the last fixed slot and the next two, so that what they
-/// sum is an integral to third order; shares of the spacing.
+/// sum is an integral to third order; shares of the spacing. g and k: docs/theory/cloth-pieces.md, "Clamps".
 /// @param s edge beyond the fixed slot, share of the spacing  @param next triples after the one in that slot
 std::array<double, 3> end_shares(double s, int next) {
   const double held = std::clamp(s, -0.5, 0.5);  // beyond it the yarn grazes the clamp
-  const double first = 1.0 / 12.0 - 0.5 * held * held, second = held * held * held / 6.0;
+  const double g = 1.0 / 12.0 - 0.5 * held * held, k = held * held * held / 6.0;
   if (next == 0) return {-0.5 - s, 0.0, 0.0};
-  if (next == 1) return {-0.5 - s - first, first, 0.0};
-  return {-0.5 - s - 1.5 * first - second, 2.0 * first + 2.0 * second, -0.5 * first - second};
+  if (next == 1) return {-0.5 - s - g, g, 0.0};
+  return {-0.5 - s - 1.5 * g - k, 2.0 * g + 2.0 * k, -0.5 * g - k};
 }
 
-/// Gives the triple in slot `i` another length; its width stays.
+/// Makes the triple in slot `i` longer [m]; its width stays.
 void add_bend_length(const YarnArrays& yarns, std::size_t i, double length) {
   yarns.bend_area[i] *= 1.0 + length / yarns.bend_length[i];
   yarns.bend_length[i] += length;
@@ -126,7 +126,8 @@ void cut_direction(std::span<const Clamp> clamps, ClothModel& model, const YarnA
     if (!sub_cell) continue;
     const int outward_step = high_free ? yarns.stride : -yarns.stride;
     const auto bends = [&](int i) { return yarns.bend_area[at(i)] > 0.0; };
-    const int next = !bends(slot + outward_step) ? 0 : !bends(slot + 2 * outward_step) ? 1 : 2;
+    int next = 0;
+    while (next < 2 && bends(slot + (next + 1) * outward_step)) ++next;
     std::array<double, 3> shares = end_shares(exit / model.spacing, next);
     shares[0] = std::clamp(1.0 + shares[0], 1.0 / kMostClampFactor, 1.0 / kLeastClampFactor) - 1.0;
     for (int i = 0; i <= next; ++i)
