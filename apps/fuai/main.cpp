@@ -5,6 +5,7 @@
 #include <new>
 
 #include "commands.h"
+#include "crash_report.h"
 #include "fuai/core/error.h"
 
 namespace fuai_app {
@@ -54,6 +55,7 @@ void declare_commands(const Command& top) {
 }  // namespace fuai_app
 
 int main(int argc, char** argv) {
+  fuai_app::report_crashes(FUAI_VERSION);
   try {
     return fuai_app::run_command_line(argc, argv, fuai_app::declare_commands);
   } catch (const fuai::Error& e) {

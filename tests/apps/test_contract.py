@@ -2,11 +2,14 @@
 
 SPDX-License-Identifier: Apache-2.0
 """
+import os
+import signal
 import struct
+import subprocess
 import unittest
 from html.parser import HTMLParser
 
-from program_tools import FABRIC, SOURCE, Case
+from program_tools import FABRIC, PROGRAM, SOURCE, Case
 
 COMMANDS = ["fabrics", "fabric", "fabric import", "fabric fit", "fabric bands", "fabric show", "fabric compare", "fabric card", "paper", "scenes", "render", "simulate", "replay", "report", "batch"]
 # Any file that is no driver description hides all drivers, as tests/picture does.
@@ -133,6 +136,20 @@ class Safety(Case):
         self.refuse("fabric", "show", "./none.toml", says="./none.toml: the file does not exist")
         self.refuse("fabric", "show", "", says="fabric")
         self.refuse("render", "paper_drape", "--fabric", "none", "-o", "a.png", says="no bundled fabric")
+
+    def test_a_crash_says_where_it_was(self):
+        path = self.folder / "pipe.fabric.toml"
+        os.mkfifo(path)
+        with subprocess.Popen([PROGRAM, "fabric", "show", path], stderr=subprocess.PIPE, text=True) as program:
+            with open(path, "wb"):  # returns when the program has it open, too, and waits for it to be written
+                program.send_signal(signal.SIGSEGV)
+                said = program.communicate(timeout=60)[1]
+        if "AddressSanitizer" in said:  # which tells it in its own way
+            return
+        self.assertEqual(program.returncode, -signal.SIGSEGV)
+        self.assertTrue(said.startswith("fuai: the program broke down (SIGSEGV). "), said)
+        self.assertIn(self.run_program("--version").stdout, said)
+        self.assertIn("run_command_line", said)
 
     def test_no_driver_is_exit_code_4(self):
         self.refuse("render", "paper_drape", "--time", "0s", "-o", "a.png", expect=4, environment=NO_DRIVER,
