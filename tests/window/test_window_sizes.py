@@ -5,6 +5,9 @@ SPDX-License-Identifier: Apache-2.0
 
 from window_driver import Window, WindowTest, main, wait_for
 
+STEP_TIME = (130, 113, 200, 150)  # at 200 x 150, in the line at the bottom
+
+
 class Sizes(WindowTest):
     def resize(self, window, width, height):
         window.do("windowsize", "--sync", window.window, width, height)
@@ -17,7 +20,7 @@ class Sizes(WindowTest):
         self.looks_like(window, "size-640x400", (0, 0, 640, 400))
         # No place for panels, but it goes on.
         self.resize(window, 200, 150)
-        self.looks_like(window, "size-200x150", (0, 0, 200, 150))
+        self.looks_like(window, "size-200x150", (0, 0, 200, 150), times=STEP_TIME)
         self.resize(window, 3840, 2160)
         self.looks_like(window, "size-3840x2160")
         self.resize(window, 1280, 720)

@@ -199,6 +199,8 @@ class Window:
         if self.program.poll() is None:
             self.program.send_signal(signal.SIGKILL)
             self.program.communicate()
+        elif not self.program.stderr.closed:  # it ended before it was asked to
+            print(f"the program ended with {self.program.returncode}:\n{self.program.communicate()[1]}")
 
 
 class WindowTest(unittest.TestCase):
@@ -217,12 +219,15 @@ class WindowTest(unittest.TestCase):
         self.addCleanup(window.kill)
         return window
 
-    def looks_like(self, window, name, box=None, pulled=False):
-        """Waits until the screen is the reference's picture; with --update-references makes it anew."""
+    def looks_like(self, window, name, box=None, pulled=False, times=None):
+        """Waits until the screen is the reference's picture; with --update-references makes it anew.
+
+        @param times: where a small window writes how long things take, to be left out"""
         path = window_pictures.REFERENCES / (name + ".png")
 
         def screen():
-            return window.display.picture().part(box) if box else window.display.picture()
+            picture = window.display.picture().part(box) if box else window.display.picture()
+            return window_pictures.without(picture, times) if times else picture
 
         if WindowTest.updates:
             window_pictures.write_reference(path, self.settled(screen))
