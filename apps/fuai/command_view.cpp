@@ -173,7 +173,10 @@ void declare_view(const Command& parent) {
   constexpr int kLeastPixels = 320, kMostPixels = 8192, kMostZoom = 100;
   const Command command =
       parent.command("view", "The viewer: grab cloth, see newtons, compare one to four fabrics");
-  command.option("FABRIC", options->fabrics, "Bundled names or paths; default: " + std::string(kFirstFabric));
+  command.option(
+      "FABRIC", options->fabrics,
+      "Bundled names or paths, measured curves behind them as in 'wool-tropical + my.csv'; default: " +
+          std::string(kFirstFabric));
   command.option("--scene", options->scene, "A name that `fuai scenes` lists");
   declare_size(command, options->size, options->spacing);
   command.flag("--moves", options->moves, "The scene's own hands and pins move");

@@ -4,9 +4,14 @@
 
 #include <doctest/doctest.h>
 
+#include <filesystem>
+#include <limits>
+
 #include "fuai/core/error.h"
+#include "fuai/io/curve_csv.h"
 #include "fuai/io/fabric_library.h"
 #include "fuai/solver/cloth_material.h"
+#include "io/io_test_tools.h"
 
 using namespace fuai;
 
@@ -84,6 +89,50 @@ TEST_SUITE("unit") {
     for (double factor : {0.0, 0.099, 10.1, -1.0, std::numeric_limits<double>::quiet_NaN()})
       CHECK_THROWS_AS(make_view_laws(with(fabric, FabricFactor::kShear, factor)), Error);
     CHECK_NOTHROW(make_view_laws(with(fabric, FabricFactor::kShear, kMostFactor)));
+  }
+
+  TEST_CASE("a curve takes the place of what the fabric knows of its test, and of nothing else") {
+    const std::string curve = data_folder() + "/fabrics/cupro-woven-su1098.shear.csv";
+    const ViewFabric plain = load_view_fabric("wool-tropical");
+    const ViewFabric fabric = load_view_fabric("wool-tropical + " + curve);
+    CHECK(fabric.source == "wool-tropical + " + curve);
+    CHECK(fabric.measured.name == "Wool tropical + cupro-woven-su1098.shear");
+    CHECK(fabric.measured.id == "wool-tropical-cupro-woven-su1098.shear");
+    REQUIRE(fabric.measured.shear.curve);
+    CHECK(fabric.measured.shear.curve->curve.branches.size() == read_curve_csv(curve).branches.size());
+    CHECK(fabric.measured.shear.curve->provenance.source == "curve file " + curve);
+    CHECK(fabric.measured.areal_mass.value == plain.measured.areal_mass.value);
+    const FabricLaws laws = make_view_laws(fabric), before = make_view_laws(plain);
+    CHECK(loop(laws.shear, 0.1) != loop(before.shear, 0.1));
+    CHECK(loop(laws.bending[kWarp], 300.0) == loop(before.bending[kWarp], 300.0));
+    CHECK(loop(laws.tensile[kWeft], 0.1) == loop(before.tensile[kWeft], 0.1));
+
+    // A second curve of the same test wins; the first one, put behind it again, too.
+    const std::string other = data_folder() + "/fabrics/cupro-woven-su1098.tensile.warp.csv";
+    const std::string twice = with_curve(with_curve(fabric.source, other), curve);
+    CHECK(twice == "wool-tropical + " + other + " + " + curve);
+    const FabricLaws both = make_view_laws(load_view_fabric(twice));
+    CHECK(loop(both.shear, 0.1) == loop(laws.shear, 0.1));
+    CHECK(loop(both.tensile[kWarp], 0.01) != loop(before.tensile[kWarp], 0.01));
+  }
+
+  TEST_CASE("names of files may hold the mark of a curve") {
+    const test::TemporaryFolder folder;
+    const std::string curve = folder / "warp + weft.csv", cloth = folder / "wool + silk.fabric.toml";
+    std::filesystem::copy(data_folder() + "/fabrics/cupro-woven-su1098.shear.csv", curve);
+    std::filesystem::copy(data_folder() + "/fabrics/wool-tropical.fabric.toml", cloth);
+    CHECK(load_view_fabric(cloth).measured.name == "Wool tropical");
+    CHECK(load_view_fabric(cloth + " + " + curve).measured.name == "Wool tropical + warp + weft");
+    CHECK(load_view_fabric("wool-tropical + " + curve).measured.shear.curve);
+    CHECK(with_curve("a + b.csv + b.csv.csv", "b.csv") == "a + b.csv.csv + b.csv");
+  }
+
+  TEST_CASE("a curve alone and one that is not there are refused with a cure") {
+    const std::string curve = data_folder() + "/fabrics/cupro-woven-su1098.shear.csv";
+    CHECK_THROWS_WITH_AS(load_view_fabric(curve), doctest::Contains("name the fabric before it"), Error);
+    CHECK_THROWS_WITH_AS(load_view_fabric("wool-tropical + nosuch.csv"), doctest::Contains("nosuch.csv"),
+                         Error);
+    CHECK_THROWS_WITH_AS(load_view_fabric("nosuch + " + curve), doctest::Contains("nosuch"), Error);
   }
 }
 

@@ -41,4 +41,35 @@ TEST_SUITE("unit") {
     CHECK(state.forces.back().way == doctest::Approx(0.05));
     CHECK(state.forces.back().forces.front() > 0.0);
   }
+
+  TEST_CASE("The plots show the scene's own hand until the user takes hold") {
+    using namespace fuai;
+    ViewSetup setup = make_view_setup("taut_patch", {"wool-tropical"}, {17, 0.02});
+    setup.scene_moves = true;
+    ViewerState state(setup);
+    begin_session(state);
+    double clock = 0.0;  // [us]
+    const auto go_on = [&](int ticks) {
+      for (int i = 0; i < ticks; ++i) state.session->tick(clock += 1e6 * kViewStep);
+      take_snapshot(state);
+    };
+    state.session->play(true);
+    for (int i = 0; i < 30; ++i) go_on(10);
+    double farthest = 0.0, strongest = 0.0;
+    for (const ForceMoment& moment : state.forces) {
+      if (moment.hand < 0) continue;  // it has not gripped yet
+      CHECK(moment.hand == kSceneHand);
+      farthest = std::max(farthest, moment.way);
+      strongest = std::max(strongest, moment.forces.front());
+    }
+    // The scene pulls by this way within a quarter of a second, with a tremor of 1 mm; the patch lags behind.
+    const double pull = Vec3(0.06, -0.02, -0.004).norm() * (17 * 0.02) / 0.32;
+    CHECK(farthest == doctest::Approx(pull).epsilon(0.03));
+    CHECK(strongest > 0.1);
+
+    const Vec3 place = state.slot_positions(0)[150];
+    CHECK(state.hands.grab(*state.session, 0, Vec2(0.16, 0.16), place, false) == 0);
+    go_on(20);
+    CHECK(state.forces.back().hand == 0);
+  }
 }

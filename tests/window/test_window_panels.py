@@ -70,6 +70,9 @@ class Panels(WindowTest):
         good = sorted(bundled.rglob("graded-10*.toml"))[0]
         self.drop(window, good)
         wait_for("the dropped fabric", lambda: self.names(window) == [str(good)])
+        curve = bundled / "cupro-woven-su1098.shear.csv"
+        self.drop(window, curve)
+        wait_for("the curve on it", lambda: self.names(window) == [str(curve)])  # the last word of "good + curve"
         code, _, err = window.close()
         self.assertEqual(code, 0, err)
         code, replayed = self.replay(window.record)

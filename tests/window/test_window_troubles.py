@@ -90,8 +90,8 @@ class Troubles(WindowTest):
             f"負にならない量です。符号を確認してください{refused}",
             f"開けません: {folder}/c.csv:2:10: B2: 'x' は数値ではありません。"
             f"0.067 のように数値を書いてください{refused}",
-            f"開けません: 曲線ファイルには目付がありません。"
-            f"`fuai fabric import` に --mass '16.3 mg/cm2' のように目付を付けて取り込んでください{refused}",
+            f"開けません: {folder}/d.csv:1:1: どの方向に測ったか書かれていません。"
+            f"先頭の行に direction=warp (たて) か direction=weft (よこ) と書いてください{refused}",
             f"開けません: {folder}/e.json:1:19: JSON がここで壊れているか、切れています。書き出し直してください{refused}",
             f"開けません: {folder}/f.fuai-view:4: 設定に「moved」はありません{refused}",
             f"{folder}/out/fuai-001.png: フォルダ「{folder}/out」がありません。先にフォルダを作ってください"])

@@ -42,6 +42,30 @@ FileKind kind_of(const std::string& path, const std::string& text, bool told_to_
   return FileKind::kSheet;
 }
 
+void add_curve(Fabric& fabric, const std::string& file, MeasuredCurve curve) {
+  for (const std::string& warning : curve_warnings(curve)) fabric.warnings.push_back(warning);
+  add_measured_curve(fabric, {std::move(curve), {ProvenanceKind::kMeasured, "curve file " + file, ""}});
+}
+
+/// What a fabric knows of a test is forgotten.
+void forget(Fabric& fabric, Test test, Direction direction) {
+  const auto i = static_cast<std::size_t>(direction);
+  switch (test) {
+    case Test::kBending:
+      fabric.bending[i] = {};
+      return;
+    case Test::kShear:
+      fabric.shear = {};
+      return;
+    case Test::kTensile:
+      if (i < fabric.tensile.size()) fabric.tensile[i] = {};
+      return;
+    case Test::kCompression:
+      fabric.compression = {};
+      return;
+  }
+}
+
 Fabric fabric_of_curves(const FabricImport& import) {
   Fabric fabric;
   fabric.name = import.name;
@@ -49,11 +73,7 @@ Fabric fabric_of_curves(const FabricImport& import) {
     throw Error(ErrorKind::kUsage, "curve files do not say what the fabric weighs", {},
                 "add --mass, e.g. --mass '16.3 mg/cm2'");
   }
-  for (const std::string& file : import.files) {
-    MeasuredCurve curve = read_curve_csv(file, import.curves);
-    for (const std::string& warning : curve_warnings(curve)) fabric.warnings.push_back(warning);
-    add_measured_curve(fabric, {std::move(curve), {ProvenanceKind::kMeasured, "curve file " + file, ""}});
-  }
+  for (const std::string& file : import.files) add_curve(fabric, file, read_curve_csv(file, import.curves));
   return fabric;
 }
 
@@ -81,6 +101,16 @@ ImportedFabrics import_fabrics(const FabricImport& import) {
     read.fits = describe(report);
   }
   return read;
+}
+
+bool is_curve_file(const std::string& path) {
+  return kind_of(path, read_text_file(path), false) == FileKind::kCurve;
+}
+
+void replace_by_curve(Fabric& fabric, const std::string& path) {
+  MeasuredCurve curve = read_curve_csv(path);
+  forget(fabric, curve.test, curve.direction);
+  add_curve(fabric, path, std::move(curve));
 }
 
 }  // namespace fuai

@@ -30,4 +30,12 @@ struct ImportedFabrics {
 /// curve files without a mass. Thread class: set-up.
 ImportedFabrics import_fabrics(const FabricImport& import);
 
+/// Whether a file says that it is a measured curve (fuai-curve/1). @throws Error (kBadInput) when it cannot
+/// be read. Thread class: set-up.
+bool is_curve_file(const std::string& path);
+
+/// Puts the curve of a file in the place of what the fabric knows of this test and direction, KES parameters
+/// included. @throws Error (kBadInput) as read_curve_csv() and add_measured_curve(). Thread class: set-up.
+void replace_by_curve(Fabric& fabric, const std::string& path);
+
 }  // namespace fuai

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <string_view>
+#include <utility>
 
 #include "fuai/core/error.h"
 #include "fuai/fabric/play_law.h"
@@ -28,15 +31,65 @@ double bias_factor(const FabricLaws& laws, double p, double q) {
   return factor > 0.0 ? factor : mean;  // a bias far softer than its yarns allow
 }
 
+constexpr std::string_view kAnd = " + ";
+
+bool is_file(const std::string& path) {
+  std::error_code code;  // what cannot be looked at is told when it is read
+  return std::filesystem::is_regular_file(path, code);
+}
+
+/// Where the last curve of a source begins, its mark before it; npos: there is none. Names of files may hold
+/// the mark, too.
+std::size_t last_curve(const std::string& source) {
+  if (is_file(source)) return std::string::npos;
+  const std::size_t last = source.rfind(kAnd);
+  for (std::size_t at = last; at != std::string::npos && at > 0; at = source.rfind(kAnd, at - 1))
+    if (is_file(source.substr(at + kAnd.size()))) return at;
+  return last;
+}
+
+/// Files are named by it.
+std::string as_id(std::string name) {
+  std::replace(name.begin(), name.end(), '/', '-');
+  return name;
+}
+
+ViewFabric with_measured(ViewFabric fabric, const std::string& path) {
+  const std::string curve = std::filesystem::path(path).stem().string();
+  replace_by_curve(fabric.measured, path);
+  fabric.source += std::string(kAnd) + path;
+  fabric.measured.name += std::string(kAnd) + curve;
+  fabric.measured.id += "-" + curve;
+  return fabric;
+}
+
 }  // namespace
 
+std::string with_curve(std::string source, const std::string& path) {
+  const std::string mark = std::string(kAnd) + path;
+  for (std::size_t at = source.find(mark); at != std::string::npos; at = source.find(mark, at)) {
+    const std::size_t end = at + mark.size();
+    if (end == source.size() || source.compare(end, kAnd.size(), kAnd) == 0)
+      source.erase(at, mark.size());
+    else
+      at = end;
+  }
+  return source + mark;
+}
+
 ViewFabric load_view_fabric(const std::string& source) {
+  if (const std::size_t at = last_curve(source); at != std::string::npos)
+    return with_measured(load_view_fabric(source.substr(0, at)), source.substr(at + kAnd.size()));
   ViewFabric fabric;
   fabric.source = source;
   const bool bundled = source.find('/') == std::string::npos && source.find('.') == std::string::npos;
   if (bundled || source.ends_with(".toml")) {
     fabric.measured = load_fabric(source);
     return fabric;
+  }
+  if (is_curve_file(source)) {
+    throw Error(ErrorKind::kBadInput, "a curve is only a part of a fabric", {source, 0, 0, ""},
+                "name the fabric before it: 'wool-tropical + CURVE.csv'");
   }
   FabricImport import;
   import.files = {source};
@@ -45,8 +98,7 @@ ViewFabric load_view_fabric(const std::string& source) {
   fabric.measured = std::move(read.fabrics.front());
   if (count > 1)
     fabric.measured.warnings.push_back("the first of " + std::to_string(count) + " fabrics of this sheet");
-  if (fabric.measured.id.empty()) fabric.measured.id = fabric.measured.name;
-  std::replace(fabric.measured.id.begin(), fabric.measured.id.end(), '/', '-');  // files are named by it
+  fabric.measured.id = as_id(fabric.measured.id.empty() ? fabric.measured.name : fabric.measured.id);
   return fabric;
 }
 

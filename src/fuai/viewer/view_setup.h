@@ -40,10 +40,14 @@ struct ViewFabric {
   bool changed() const noexcept;
 };
 
-/// A bundled fabric, a fabric file, or what import_fabrics() makes one of; of a sheet the first. What it has
-/// to be known by stays in `source`. @throws Error as load_fabric() and import_fabrics(). Thread class:
-/// set-up.
+/// A bundled fabric, a fabric file, or what import_fabrics() makes one of; of a sheet the first. Measured
+/// curves may follow, "wool-tropical + my.bending.warp.csv": each takes the place of what the fabric knows of
+/// its test and direction. What it has to be known by stays in `source`. @throws Error as load_fabric(),
+/// import_fabrics() and replace_by_curve(). Thread class: set-up.
 ViewFabric load_view_fabric(const std::string& source);
+
+/// `source` with a curve file behind it, where it stands once. Thread class: any.
+std::string with_curve(std::string source, const std::string& path);
 
 /// Laws with the factors applied: elastic curves and friction of the laws are scaled, so that measured curves
 /// keep their shape. @throws Error as make_fabric_laws(), and (kUsage) for a factor out of range.

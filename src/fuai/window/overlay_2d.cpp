@@ -246,7 +246,8 @@ void draw_overlay_2d(ViewerState& state) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const ViewSnapshot& snapshot = state.snapshot();
   state.shown_forces.clear();
-  float below = 0.0F;  // the name of the last cloth
+  draw_notes(state, list);  // below the forces, which are to be read whatever is told besides
+  float below = 0.0F;       // the name of the last cloth
   for (std::size_t i = 0; i < std::min(state.tiles.size(), snapshot.cloths.size()); ++i) {
     const ScreenTile& tile = state.tiles[i];
     list.PushClipRect(
@@ -258,7 +259,6 @@ void draw_overlay_2d(ViewerState& state) {
     list.PopClipRect();
   }
   draw_colour_bar(state, list, below);
-  draw_notes(state, list);
 }
 
 }  // namespace fuai

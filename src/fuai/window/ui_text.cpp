@@ -174,10 +174,10 @@ constexpr UiText kTexts[] = {
     {kEdit, "Edit", "編集"},
     {kOpenFile, "Open a file", "ファイルを開く"},
     {kOpenHint,
-     "Fabric (*.fabric.toml, KES sheet, curve, U3M physics JSON) or recording (*.fuai-view); files can also "
-     "be "
-     "dropped on the window",
-     "生地 (*.fabric.toml、KES表、曲線、U3M physics JSON) または記録 "
+     "Fabric (*.fabric.toml, KES sheet, U3M physics JSON), measured curve of the fabric that is shown "
+     "(*.csv), or "
+     "recording (*.fuai-view); files can also be dropped on the window",
+     "生地 (*.fabric.toml、KES表、U3M physics JSON)、表示中の生地の測定曲線 (*.csv)、または記録 "
      "(*.fuai-view)。ウィンドウへのドロップも可"},
     {kFolder, "folder", "フォルダ"},
     {kUp, "up", "上へ"},

@@ -64,8 +64,13 @@ std::size_t ViewerDevice::felt() const { return std::min(state_.felt, state_.bui
 
 void ViewerDevice::follow_force() {
   state_.rumbles = rumble_ != nullptr || sound_ != nullptr;
-  const bool feels = state_.playing && !state_.forces.empty() && state_.forces.back().hand >= 0;
-  const double share = feels ? force_share(state_.forces.back().forces[felt()]) : 0.0;
+  double share = 0.0;
+  if (state_.playing && !state_.forces.empty()) {
+    const ForceMoment& last = state_.forces.back();
+    // Of cloths that have just come there is none yet; the scene's own hand is nobody's to feel.
+    const bool feels = last.hand >= 0 && last.hand != kSceneHand && felt() < last.forces.size();
+    if (feels) share = force_share(last.forces[felt()]);
+  }
   if (rumble_ && !rumble_->set(share)) {
     rumble_.reset();
     tell("--rumble", TextId::kDeviceAway);

@@ -33,11 +33,14 @@
 
 namespace fuai {
 
+/// The scene's own first hand, as the plots number hands: behind those of the user.
+inline constexpr int kSceneHand = static_cast<int>(kMostViewHands);
+
 /// A moment of the force plots.
 struct ForceMoment {
-  double time = 0.0;  ///< [s]
-  double way = 0.0;   ///< of the hand from where it gripped [m]
-  int hand = -1;
+  double time = 0.0;               ///< [s]
+  double way = 0.0;                ///< of the hand from where it gripped [m]
+  int hand = -1;                   ///< of the user, a device or a recording, or kSceneHand; -1: none
   std::vector<double> forces;      ///< pull of the hand, by cloth [N]
   std::vector<ClothProbe> probes;  ///< by cloth
   bool probed = false;
@@ -138,7 +141,7 @@ struct ViewerState {
   std::vector<ScreenTile> tiles;  ///< by cloth, in pixels of the screen
   bool playing = true;
   std::deque<ForceMoment> forces;  ///< the last seconds
-  Vec3 led_start = Vec3::Zero();   ///< where a hand gripped last that is not the mouse's [m]
+  Vec3 led_start = Vec3::Zero();   ///< where a hand that is not the mouse's gripped last [m]
   std::deque<Message> messages;
   std::deque<SaidMessage> said;          ///< the newest of all
   std::vector<ShownForce> shown_forces;  ///< in the last picture

@@ -8,6 +8,7 @@
 
 #include "fuai/core/error.h"
 #include "fuai/experiments/scene_pictures.h"
+#include "fuai/io/fabric_import.h"
 #include "fuai/io/text_file.h"
 #include "fuai/io/threshold_file.h"
 #include "fuai/scenes/catalogue.h"
@@ -64,6 +65,14 @@ void try_change(ViewerState& state, const Change& change) {
   }
 }
 
+/// The same for a fabric of the table: one that was switched.
+template <class Change>
+void change_fabric(ViewerState& state, std::size_t place, const Change& change) {
+  const std::uint64_t before = state.document.version();
+  try_change(state, [&](ViewSetup& setup) { change(setup.fabrics[place]); });
+  if (state.document.version() != before) state.steps.did(FirstStep::kSwitch);
+}
+
 /// Values of slots at the vertices; not a number where a slot has none.
 void spread_values(const PieceMesh& piece, const std::vector<double>& slots, std::vector<double>& values) {
   values.resize(piece.vertices.size());
@@ -80,6 +89,25 @@ void spread_values(const PieceMesh& piece, const std::vector<double>& slots, std
   }
 }
 
+/// A fabric takes the place of another one; a curve that of what is known of its test, and the rest stays.
+void open_file(ViewFabric& fabric, const std::string& path) {
+  if (!is_curve_file(path)) {
+    fabric = load_view_fabric(path);
+    return;
+  }
+  const auto factors = fabric.factors;
+  fabric = load_view_fabric(with_curve(fabric.source, path));
+  fabric.factors = factors;
+}
+
+/// What a hand of a moment feels of a cloth [N].
+double force_on(const ClothView& cloth, int hand) {
+  if (hand < 0) return 0.0;
+  const GraspReading& reading =
+      hand == kSceneHand ? cloth.scene_hands.front() : cloth.hands[static_cast<std::size_t>(hand)];
+  return reading.holds ? reading.force.norm() : 0.0;
+}
+
 void remember_forces(ViewerState& state) {
   const ViewSnapshot& snapshot = state.snapshot();
   while (!state.forces.empty() && state.forces.back().time >= snapshot.time) state.forces.pop_back();
@@ -88,25 +116,26 @@ void remember_forces(ViewerState& state) {
   ForceMoment moment;
   moment.time = snapshot.time;
   moment.hand = state.hands.last();
-  // The mouse's hand, else that of the device or of a recording.
+  // The mouse's hand, else that of the device or of a recording, else the scene's own.
   const bool led = moment.hand < 0;
+  const ClothView& first = snapshot.cloths.front();
   for (std::size_t i = 0; i < kMostViewHands && moment.hand < 0; ++i)
-    if ((i == kDeviceHand || state.replay) && snapshot.cloths.front().hands[i].holds)
-      moment.hand = static_cast<int>(i);
+    if ((i == kDeviceHand || state.replay) && first.hands[i].holds) moment.hand = static_cast<int>(i);
+  if (moment.hand < 0 && first.scene_hands.front().holds) moment.hand = kSceneHand;
   for (const ClothView& cloth : snapshot.cloths) {
-    // Without a hand of the user's that of the scene.
-    const GraspReading& reading =
-        moment.hand < 0 ? cloth.scene_hands.front() : cloth.hands[static_cast<std::size_t>(moment.hand)];
-    moment.forces.push_back(reading.holds ? reading.force.norm() : 0.0);
+    moment.forces.push_back(force_on(cloth, moment.hand));
     moment.probes.push_back(cloth.probe);
     moment.probed = moment.probed || cloth.probed;
   }
-  if (moment.hand >= 0) {
-    const auto hand = static_cast<std::size_t>(moment.hand);
-    const Vec3& place = snapshot.cloths.front().targets[hand];
-    if (led && (state.forces.empty() || state.forces.back().hand != moment.hand)) state.led_start = place;
-    const UserHand& own = state.hands.hand(hand);
-    moment.way = led ? (place - state.led_start).norm() : (own.target - own.start).norm();
+  if (led && moment.hand >= 0) {
+    // Where the scene's hand is nobody tells: the cloth that it holds is there but for what its hold gives.
+    const Vec3& place = moment.hand == kSceneHand ? first.scene_hands.front().centre
+                                                  : first.targets[static_cast<std::size_t>(moment.hand)];
+    if (state.forces.empty() || state.forces.back().hand != moment.hand) state.led_start = place;
+    moment.way = (place - state.led_start).norm();
+  } else if (moment.hand >= 0) {
+    const UserHand& own = state.hands.hand(static_cast<std::size_t>(moment.hand));
+    moment.way = (own.target - own.start).norm();
   }
   state.forces.push_back(std::move(moment));
 }
@@ -249,9 +278,7 @@ void add_view_fabric(ViewerState& state, const std::string& source) {
 }
 
 void set_view_fabric(ViewerState& state, std::size_t place, const std::string& source) {
-  const std::uint64_t before = state.document.version();
-  try_change(state, [&](ViewSetup& setup) { setup.fabrics[place] = load_view_fabric(source); });
-  if (state.document.version() != before) state.steps.did(FirstStep::kSwitch);
+  change_fabric(state, place, [&](ViewFabric& fabric) { fabric = load_view_fabric(source); });
 }
 
 void remove_view_fabric(ViewerState& state, std::size_t place) {
@@ -274,7 +301,8 @@ void open_path(ViewerState& state, const std::string& path) {
     }
     return;
   }
-  set_view_fabric(state, std::min(state.page, state.document.setup().fabrics.size() - 1), path);
+  const std::size_t place = std::min(state.page, state.document.setup().fabrics.size() - 1);
+  change_fabric(state, place, [&](ViewFabric& fabric) { open_file(fabric, path); });
 }
 
 HeatRange heat_range(const ViewerState& state) {
