@@ -47,8 +47,9 @@ void report(int signal) {
   tell("fuai: the program broke down (");
   tell(name_of(signal));
   tell(
-      "). That is a defect of fuai or of a library or driver it uses; recordings are kept up to the last "
-      "second. Please report it with what you did and these lines:\nfuai ");
+      "). That is a defect of fuai or of a library or driver it uses; recordings (.fuai-view, .fuailog) are "
+      "kept "
+      "up to the last second. Please report it with what you did and these lines:\nfuai ");
   tell(told_version);
   tell("\n");
   std::array<void*, kMostFrames> frames;
